@@ -12,21 +12,23 @@ CFLAGS  ?= -O2 -g
 
 # libmatio is optional: without it MATLAB files are refused, naming the package (make MATIO= tries that)
 MATIO  := $(shell pkg-config --exists matio 2>/dev/null && echo matio)
-PKG    := $(MATIO) $(if $(MATIO),zlib) gsl yaml-0.1 jansson libxslt libxml-2.0
+# libxlsxwriter is optional: without it --xlsx is refused, naming the package
+XLSX   := $(shell pkg-config --exists xlsxwriter 2>/dev/null && echo xlsxwriter)
+PKG    := $(MATIO) $(if $(MATIO),zlib) $(XLSX) gsl yaml-0.1 jansson libxslt libxml-2.0
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla -Werror
 SANF   := $(if $(SAN)$(FUZZ),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer) \
           $(if $(FUZZ),-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow)
 INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG)))
 ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) \
-          $(if $(MATIO),-DWF_MATIO) -DWF_VERSION='"$(VERSION)"'
+          $(if $(MATIO),-DWF_MATIO) $(if $(XLSX),-DWF_XLSX) -DWF_VERSION='"$(VERSION)"'
 # least squares: Ceres has no pkg-config file; its one C++ file links with its C++ library
 CERES   = -lceres -lglog -lstdc++
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 
 # Debian packages: to build and to draw; and for tests alone
-PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev zlib1g-dev \
+PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev zlib1g-dev libxlsxwriter-dev \
             g++ libceres-dev libeigen3-dev libgoogle-glog-dev gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei
-TEST_PACKAGES := libcmocka-dev poppler-utils gdb
+TEST_PACKAGES := libcmocka-dev poppler-utils gdb python3-jsonschema python3-yaml
 
 SRC    := $(wildcard src/*.c src/*/*.c)
 # where species, models and templates are is compiled into these alone; `make install` compiles them a second time
@@ -43,7 +45,13 @@ bin     = $(patsubst %.c,$(B)/%,$(1))
 # the kernel of several states side by side: one source, compiled for each width (solve/beam_lanes.h)
 LANES  := $(B)/src/solve/beam_lanes_4.o $(B)/src/solve/beam_lanes_8.o
 
-all: $(B)/windfirm ## build the program and the library (default)
+# what editors complete and check the shipped files by, made by the program that reads them
+SCHEMAS := species/schema.json models/schema.json models/field/schema.json models/studies/schema.json
+SCHEMA   = $(if $(filter species/%,$@),species,$(if $(filter models/field/%,$@),fit,$(if $(filter models/studies/%,$@),study,model)))
+
+all: $(B)/windfirm $(SCHEMAS) ## build the program and the library (default)
+$(SCHEMAS): $(B)/windfirm
+	@$(B)/windfirm schema $(SCHEMA) --json-schema >$@.$(notdir $(B)) && mv $@.$(notdir $(B)) $@
 $(B)/libwindfirm.a: $(call obj,$(LIBSRC)) $(LANES) $(B)/src/fit/ceres.o
 	@rm -f $@
 	$(AR) rcs $@ $^
@@ -162,21 +170,25 @@ $(N)/libwindfirm.a: $(call installed,$(call obj,$(LIBSRC))) $(LANES) $(B)/src/fi
 	$(AR) rcs $@ $^
 $(N)/windfirm: $(call installed,$(call obj,$(CMDSRC))) $(N)/libwindfirm.a
 	$(CC) $(SANF) $(LDFLAGS) $^ $(LDLIBS) -o $@
-install: $(N)/windfirm ## program, library, headers, species, models, report templates (DESTDIR, PREFIX)
-	install -d $(I)/bin $(I)/lib/pkgconfig $(I)/share/windfirm
+install: $(N)/windfirm all ## program, manual pages, library, headers, species, models, report templates (DESTDIR, PREFIX)
+	install -d $(I)/bin $(I)/lib/pkgconfig $(I)/share/windfirm $(I)/share/man/man1 $(I)/share/bash-completion/completions
 	install -m 755 $(N)/windfirm $(I)/bin
 	install -m 644 $(N)/libwindfirm.a $(I)/lib
 	for h in $(patsubst src/%,%,$(HEADERS)); do \
 	    install -d $$(dirname $(I)/include/windfirm/$$h) && \
 	    sed 's|^#include "\(.*\)"|#include <windfirm/\1>|' src/$$h >$(I)/include/windfirm/$$h || exit; done
 	cp -r species models reports validation $(I)/share/windfirm
+	install -m 644 src/windfirm.bash $(I)/share/bash-completion/completions/windfirm
+	$(B)/windfirm --help=man >$(I)/share/man/man1/windfirm.1
+	for c in $$($(B)/windfirm --help=words | awk -F'\t' '$$2 == "command" { print $$1 }'); do \
+	    $(B)/windfirm $$c --help=man >$(I)/share/man/man1/windfirm-$$c.1 || exit; done
 	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|; s|@REQUIRES@|$(PKG)|' src/windfirm.pc.in \
 	    > $(I)/lib/pkgconfig/windfirm.pc
 headers: ## the headers that are installed
 	@printf '%s\n' $(HEADERS)
 FORCE:
 clean: ## remove what was built and computed
-	rm -rf $(BUILD) out
+	rm -rf $(BUILD) out $(SCHEMAS)
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 

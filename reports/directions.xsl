@@ -43,18 +43,33 @@
       <xsl:with-param name="x" select="winds/item[last()]/tip_deflection/value"/>
       <xsl:with-param name="pattern">0.00</xsl:with-param>
     </xsl:call-template>
+    <!-- 0: without wind -->
+    <xsl:variable name="lost"><xsl:choose>
+      <xsl:when test="(loss | self::*[not(loss)]/critical_stem)/outcome = 'self-weight'">0</xsl:when>
+      <xsl:otherwise><xsl:value-of select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value"/></xsl:otherwise>
+    </xsl:choose></xsl:variable>
+    <xsl:variable name="part"><xsl:choose>
+      <xsl:when test="critical/outcome = 'self-weight'">0</xsl:when>
+      <xsl:otherwise><xsl:value-of select="critical/speed/value"/></xsl:otherwise>
+    </xsl:choose></xsl:variable>
+    <td class="r">
+      <xsl:call-template name="number">
+        <xsl:with-param name="x" select="winds/item[last()]/loss_safety/value"/>
+      </xsl:call-template>
+    </td>
+    <xsl:call-template name="cell"><xsl:with-param name="x" select="$lost"/></xsl:call-template>
+    <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="$lost"/></xsl:call-template></td>
+    <td><xsl:for-each select="loss[outcome = 'found' or outcome = 'self-weight']">
+      <xsl:call-template name="criterion-name"/>
+    </xsl:for-each></td>
     <td class="r">
       <xsl:call-template name="number">
         <xsl:with-param name="x" select="winds/item[last()]/least_safety/value"/>
       </xsl:call-template>
     </td>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
-    <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template></td>
+    <xsl:call-template name="cell"><xsl:with-param name="x" select="$part"/></xsl:call-template>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="critical/governing_section/height/value"/>
-    </xsl:call-template>
-    <xsl:call-template name="cell">
-      <xsl:with-param name="x" select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value"/>
     </xsl:call-template>
     <xsl:if test="$trees[1]/scenario/ground_file != ''">
       <xsl:call-template name="cell">
@@ -121,20 +136,8 @@
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.deflection</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.safety</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.gust</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.lost</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+        <xsl:call-template name="heads">
+          <xsl:with-param name="of">c.safety.tree:–;c.lost:m/s;c.gust:m/s;c.by;c.safety:–;c.part:m/s;c.height:m</xsl:with-param>
         </xsl:call-template>
         <xsl:if test="$ground">
           <xsl:call-template name="head">
@@ -153,13 +156,13 @@
     </thead>
     <xsl:for-each select="$trees">
       <tbody class="long">
-        <xsl:if test="count($trees) &gt; 1"><tr><td colspan="11"><b><xsl:call-template name="name"/></b></td></tr></xsl:if>
+        <xsl:if test="count($trees) &gt; 1"><tr><td colspan="14"><b><xsl:call-template name="name"/></b></td></tr></xsl:if>
         <xsl:for-each select="directions/directions/item">
           <xsl:call-template name="direction-row"><xsl:with-param name="climate" select="$climate"/></xsl:call-template>
         </xsl:for-each>
         <xsl:if test="$climate">
           <tr>
-            <td colspan="{9 + number($ground)}">
+            <td colspan="{11 + number($ground)}">
               <xsl:call-template name="say"><xsl:with-param name="id">t.around.all</xsl:with-param></xsl:call-template>
             </td>
             <xsl:call-template name="hours">

@@ -19,7 +19,7 @@
   <row key="{$key}" index="{$index}" text="{$kind}"><xsl:value-of select="normalize-space($text)"/></row>
 </xsl:template>
 
-<!-- name, height [m], direction of the wind [rad], segments, wind speed of breakage [m/s]; which of the wind speeds
+<!-- name, height [m], direction of the wind [rad], segments, wind speed at which the tree is lost [m/s]; which of the wind speeds
      drawn have an answer, by number -->
 <xsl:template match="item" mode="tree">
   <xsl:variable name="i" select="position()"/>
@@ -39,9 +39,16 @@
     <xsl:with-param name="key">ROWS</xsl:with-param><xsl:with-param name="index" select="$i"/>
     <xsl:with-param name="x" select="segments"/>
   </xsl:call-template>
+  <xsl:variable name="known" select="boolean(verdict/criteria/item[governs = 'true'])"/>
   <xsl:call-template name="number-row">
     <xsl:with-param name="key">CRITICAL</xsl:with-param><xsl:with-param name="index" select="$i"/>
-    <xsl:with-param name="x" select="critical[within_limits = 'true']/speed/value"/>
+    <xsl:with-param name="x" select="self::*[not($known)]/critical[within_limits = 'true']/speed/value |
+      verdict[$known and within_limits = 'true']/critical_speed/value"/>
+  </xsl:call-template>
+  <!-- results that do not say which criterion governs have no column of the tree's safety in their tables -->
+  <xsl:call-template name="number-row">
+    <xsl:with-param name="key">LOSS_KNOWN</xsl:with-param><xsl:with-param name="index" select="$i"/>
+    <xsl:with-param name="x" select="number($known)"/>
   </xsl:call-template>
   <xsl:call-template name="text-row">
     <xsl:with-param name="key">SOLVED</xsl:with-param><xsl:with-param name="index" select="$i"/>
@@ -98,7 +105,9 @@
       <xsl:with-param name="kind">words</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:for-each select="$trees">
-          <xsl:if test="winds/item[least_safety/value != '']"><xsl:value-of select="concat(position(), ' ')"/></xsl:if>
+          <xsl:if test="winds/item/*[self::least_safety or self::loss_safety]/value != ''">
+            <xsl:value-of select="concat(position(), ' ')"/>
+          </xsl:if>
         </xsl:for-each>
       </xsl:with-param>
     </xsl:call-template>

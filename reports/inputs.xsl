@@ -176,7 +176,7 @@
         <th class="r"><xsl:call-template name="say"><xsl:with-param name="id">in.range</xsl:with-param></xsl:call-template></th>
         <th><xsl:call-template name="say"><xsl:with-param name="id">in.unit</xsl:with-param></xsl:call-template></th>
         <th><xsl:call-template name="say"><xsl:with-param name="id">in.status</xsl:with-param></xsl:call-template></th>
-        <th class="r">
+        <th class="r" style="white-space: nowrap">
           <xsl:call-template name="say"><xsl:with-param name="id">in.source</xsl:with-param></xsl:call-template>
         </th>
       </tr>

@@ -5,13 +5,13 @@
 
 <!-- A wind with the digits that the interval deserves; "above 60" where the search ended. -->
 <xsl:template name="iv-wind">
-  <xsl:param name="x"/><xsl:param name="times" select="1"/>
+  <xsl:param name="x"/><xsl:param name="end" select="searched_to_m_s"/>
   <xsl:variable name="pattern" select="concat('0', substring('.00', 1, (decimals &gt; 0) * (1 + decimals)))"/>
   <xsl:choose>
     <xsl:when test="string($x) = ''">
       <xsl:call-template name="say">
         <xsl:with-param name="id">iv.above</xsl:with-param>
-        <xsl:with-param name="a" select="format-number(searched_to_m_s * $times, '0')"/>
+        <xsl:with-param name="a" select="format-number($end, '0')"/>
       </xsl:call-template>
     </xsl:when>
     <xsl:otherwise><xsl:value-of select="format-number($x, $pattern)"/></xsl:otherwise>
@@ -21,8 +21,18 @@
 <!-- The sentences. Context: an interval. -->
 <xsl:template name="iv-words">
   <xsl:param name="name"/>
+  <!-- the gust at the end of the search, which results of version 0.6 do not have -->
+  <xsl:variable name="end">
+    <xsl:choose>
+      <xsl:when test="searched_to_gust_m_s != ''"><xsl:value-of select="searched_to_gust_m_s"/></xsl:when>
+      <xsl:when test="low_m_s &gt; 0"><xsl:value-of select="searched_to_m_s * low_gust_m_s div low_m_s"/></xsl:when>
+      <xsl:otherwise><xsl:value-of select="searched_to_m_s"/></xsl:otherwise>
+    </xsl:choose>
+  </xsl:variable>
   <xsl:call-template name="say">
-    <xsl:with-param name="id" select="concat('iv.line.', scope)"/>
+    <xsl:with-param name="id">iv.<xsl:choose>
+      <xsl:when test="low_m_s = ''">none</xsl:when><xsl:when test="middle_m_s = ''">half</xsl:when><xsl:otherwise>line</xsl:otherwise>
+    </xsl:choose>.<xsl:value-of select="scope"/></xsl:with-param>
     <xsl:with-param name="a" select="$name"/>
     <xsl:with-param name="b">
       <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="middle_m_s"/></xsl:call-template>
@@ -34,30 +44,26 @@
       <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template>
     </xsl:with-param>
     <xsl:with-param name="e" select="samples - left_out"/>
+    <xsl:with-param name="f" select="format-number($end, '0')"/>
   </xsl:call-template>
-  <xsl:value-of select="$gap"/>
-  <xsl:variable name="times">
-    <xsl:choose>
-      <xsl:when test="low_m_s &gt; 0"><xsl:value-of select="low_gust_m_s div low_m_s"/></xsl:when>
-      <xsl:when test="middle_m_s &gt; 0"><xsl:value-of select="middle_gust_m_s div middle_m_s"/></xsl:when>
-      <xsl:otherwise>1</xsl:otherwise>
-    </xsl:choose>
-  </xsl:variable>
+  <xsl:if test="low_m_s != ''">
+    <xsl:value-of select="$gap"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">iv.gust</xsl:with-param>
     <xsl:with-param name="a">
       <xsl:call-template name="iv-wind">
-        <xsl:with-param name="x" select="middle_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template>
+        <xsl:with-param name="x" select="middle_gust_m_s"/><xsl:with-param name="end" select="$end"/></xsl:call-template>
     </xsl:with-param>
     <xsl:with-param name="b">
       <xsl:call-template name="iv-wind">
-        <xsl:with-param name="x" select="low_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template>
+        <xsl:with-param name="x" select="low_gust_m_s"/><xsl:with-param name="end" select="$end"/></xsl:call-template>
     </xsl:with-param>
     <xsl:with-param name="c">
       <xsl:call-template name="iv-wind">
-        <xsl:with-param name="x" select="high_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template>
+        <xsl:with-param name="x" select="high_gust_m_s"/><xsl:with-param name="end" select="$end"/></xsl:call-template>
     </xsl:with-param>
   </xsl:call-template>
+  </xsl:if>
   <xsl:if test="lost_in_still_air &gt; 0">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
@@ -75,7 +81,7 @@
   <xsl:for-each select="interval">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">iv.brief</xsl:with-param>
+      <xsl:with-param name="id">iv.brief<xsl:if test="low_m_s = ''">.none</xsl:if></xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
       </xsl:with-param>

@@ -36,7 +36,9 @@
     <xsl:call-template name="say">
       <xsl:with-param name="id">m.validity</xsl:with-param>
       <xsl:with-param name="a">
-        <xsl:call-template name="stripped"><xsl:with-param name="text" select="validity"/></xsl:call-template>
+        <xsl:call-template name="stripped"><xsl:with-param name="text"><xsl:call-template name="term">
+          <xsl:with-param name="id" select="concat('valid.', name(), '.', name)"/><xsl:with-param name="otherwise" select="validity"/>
+        </xsl:call-template></xsl:with-param></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
@@ -76,7 +78,9 @@
       <xsl:with-param name="id">m.profile</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:for-each select="$trees[1]/method/wind_profile">
-          <b><xsl:value-of select="name"/></b>
+          <b><xsl:call-template name="term">
+            <xsl:with-param name="id" select="concat('m.profile.', name)"/><xsl:with-param name="otherwise" select="name"/>
+          </xsl:call-template></b>
           <xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template>
           <xsl:call-template name="source-and-range"/>
         </xsl:for-each>
@@ -161,7 +165,7 @@
                   <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
                 </xsl:call-template>
               </td>
-              <td><xsl:value-of select="text"/></td>
+              <td><xsl:call-template name="warning"/></td>
             </tr>
           </xsl:for-each>
         </tbody>

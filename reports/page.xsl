@@ -180,6 +180,19 @@
   </xsl:if>
 </xsl:template>
 
+<!-- What a warning, which is the node, says: in other languages than the program's first what its kind means. -->
+<xsl:template name="warning">
+  <xsl:variable name="means">
+    <xsl:call-template name="term"><xsl:with-param name="id" select="concat('means.', code)"/></xsl:call-template>
+  </xsl:variable>
+  <xsl:choose>
+    <xsl:when test="$means != ''">
+      <xsl:value-of select="$means"/><span class="why"><xsl:value-of select="text"/></span>
+    </xsl:when>
+    <xsl:otherwise><xsl:value-of select="text"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- Warnings of the run, each with its kind. -->
 <xsl:template name="findings">
   <xsl:param name="id">h.warnings</xsl:param>
@@ -194,12 +207,95 @@
             </xsl:call-template>
           </b>
           <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
-          <xsl:value-of
-        select="text"/>
+          <xsl:call-template name="warning"/>
         </li>
       </xsl:for-each>
     </ul>
   </xsl:if>
+</xsl:template>
+
+<!-- How the winds of a scenario, which is the node, were named: a line each. Results of earlier versions have the words
+     alone. -->
+<xsl:template name="wind-notes">
+  <xsl:if test="not(wind_notes/item) and winds_said != ''"><br/><xsl:value-of select="winds_said"/></xsl:if>
+  <xsl:for-each select="wind_notes/item">
+    <xsl:variable name="p" select="parts/item"/>
+    <br/>
+    <xsl:choose>
+      <xsl:when test="kind = 'grade'">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">ws.grade</xsl:with-param>
+          <xsl:with-param name="a" select="$p[1]/text"/>
+          <xsl:with-param name="b">
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('grade.', $p[2]/text)"/><xsl:with-param name="otherwise" select="$p[2]/text"/>
+            </xsl:call-template>
+          </xsl:with-param>
+          <xsl:with-param name="c">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">ws.<xsl:choose>
+                <xsl:when test="$p[4]/text = ''">from</xsl:when><xsl:otherwise>between</xsl:otherwise>
+              </xsl:choose></xsl:with-param>
+              <xsl:with-param name="a" select="$p[3]/text"/><xsl:with-param name="b" select="$p[4]/text"/>
+            </xsl:call-template>
+          </xsl:with-param>
+          <xsl:with-param name="d" select="$p[5]/text"/><xsl:with-param name="e" select="$p[6]/text"/>
+        </xsl:call-template>
+      </xsl:when>
+      <xsl:when test="kind = 'typed'">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">ws.typed</xsl:with-param>
+          <xsl:with-param name="a">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">ws.<xsl:choose>
+                <xsl:when test="$p[1]/text = 3">gusts</xsl:when><xsl:when test="$p[1]/text = 3600">hourly</xsl:when>
+                <xsl:otherwise>means</xsl:otherwise>
+              </xsl:choose></xsl:with-param>
+              <xsl:with-param name="a" select="$p[1]/text"/>
+            </xsl:call-template>
+          </xsl:with-param>
+          <xsl:with-param name="b" select="$p[2]/text"/><xsl:with-param name="c" select="$p[3]/text"/>
+          <xsl:with-param name="d" select="$p[4]/text"/><xsl:with-param name="e" select="$p[5]/text"/>
+          <xsl:with-param name="f" select="$p[6]/text"/>
+          <xsl:with-param name="g">
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('ws.law.', $p[7]/text)"/><xsl:with-param name="otherwise" select="$p[7]/text"/>
+            </xsl:call-template>
+          </xsl:with-param>
+        </xsl:call-template>
+      </xsl:when>
+      <xsl:when test="kind = 'design'">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">ws.design</xsl:with-param>
+          <xsl:with-param name="a">
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('design.', $p[1]/text)"/><xsl:with-param name="otherwise" select="$p[1]/text"/>
+            </xsl:call-template>
+          </xsl:with-param>
+          <xsl:with-param name="b" select="$p[2]/text"/>
+          <xsl:with-param name="c">
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('design.basic.', $p[1]/text)"/>
+            </xsl:call-template>
+            <xsl:if test="$p[7]/text">
+              <xsl:call-template name="say">
+                <xsl:with-param name="id">ws.years</xsl:with-param><xsl:with-param name="a" select="$p[7]/text"/>
+              </xsl:call-template>
+            </xsl:if>
+          </xsl:with-param>
+          <xsl:with-param name="d">
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('design.terrain.', $p[3]/text)"/>
+              <xsl:with-param name="otherwise" select="$p[3]/text"/>
+            </xsl:call-template>
+          </xsl:with-param>
+          <xsl:with-param name="e" select="$p[4]/text"/><xsl:with-param name="f" select="$p[5]/text"/>
+          <xsl:with-param name="g" select="$p[6]/text"/>
+        </xsl:call-template>
+      </xsl:when>
+      <xsl:otherwise><xsl:value-of select="../../winds_said"/></xsl:otherwise>
+    </xsl:choose>
+  </xsl:for-each>
 </xsl:template>
 
 <!-- Gusts, ground and site of a scenario, which is the node. -->
@@ -217,7 +313,9 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id" select="concat('tb.site.', terrain_from)"/>
       </xsl:call-template>
-      <xsl:if test="site_kind != ''">, <xsl:value-of select="site_kind"/></xsl:if>
+      <xsl:if test="site_kind != ''">, <xsl:call-template name="term">
+        <xsl:with-param name="id" select="concat('site.', site_kind)"/><xsl:with-param name="otherwise" select="site_kind"/>
+      </xsl:call-template></xsl:if>
     </xsl:with-param>
     <xsl:with-param name="f">
       <xsl:call-template name="number">

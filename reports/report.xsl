@@ -6,6 +6,7 @@
                 exclude-result-prefixes="svg">
 <xsl:import href="page.xsl"/>
 <xsl:include href="verdict.xsl"/>
+<xsl:include href="assessment.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
 <xsl:include href="interval.xsl"/>
@@ -111,9 +112,7 @@
             <xsl:with-param name="a"><xsl:call-template name="winds-text"/></xsl:with-param>
             <xsl:with-param name="b" select="$reference"/>
           </xsl:call-template>
-          <xsl:if test="$trees[1]/scenario/winds_said != ''">
-            <br/><xsl:value-of select="$trees[1]/scenario/winds_said"/>
-          </xsl:if>
+          <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="wind-notes"/></xsl:for-each>
           <xsl:if test="$trees[1]/scenario/gust_over_mean/value">
             <br/>
             <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="site-line"/></xsl:for-each>
@@ -181,11 +180,16 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:text>f.</xsl:text><xsl:value-of select="@name"/>
-          <xsl:if test="@name = 'safety' and not($trees/winds/item/least_safety/value != '')">.none</xsl:if>
+          <xsl:if test="@name = 'safety'">
+            <xsl:choose>
+              <xsl:when test="not($trees/winds/item/*[self::least_safety or self::loss_safety]/value != '')">.none</xsl:when>
+              <xsl:when test="not($trees/verdict/criteria/item[governs = 'true'])">.old</xsl:when>
+            </xsl:choose>
+          </xsl:if>
         </xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="drawn-winds"/></xsl:with-param>
       </xsl:call-template>
-      <xsl:if test="@name = 'safety' and $trees/critical[within_limits = 'true']/outcome = 'found'">
+      <xsl:if test="@name = 'safety' and $trees/verdict[within_limits = 'true' and criteria/item[governs = 'true']]/outcome = 'found'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
       </xsl:if>
@@ -328,6 +332,7 @@
         <xsl:call-template name="heading">
           <xsl:with-param name="n" select="1"/><xsl:with-param name="id">h.summary</xsl:with-param>
         </xsl:call-template>
+        <xsl:for-each select="$trees[assessment]"><xsl:call-template name="assessment"/></xsl:for-each>
         <xsl:call-template name="summary"/>
       </section>
       <section>

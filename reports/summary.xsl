@@ -122,6 +122,25 @@
       <xsl:call-template name="gust"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template>
     </xsl:with-param>
   </xsl:call-template>
+  <xsl:if test="$last and scenario/winter_wind/value &lt; 1">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.winter</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="scenario/winter_wind/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="scenario/winter_wind/value * $last/speed/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="gust">
+          <xsl:with-param name="x" select="scenario/winter_wind/value * $last/speed/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
 </xsl:template>
 
 <!-- How far the tip moves: at every wind speed up to three, else the first, the middle and the last. -->
@@ -181,6 +200,29 @@
       <xsl:with-param name="d">
         <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
       </xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
+  <xsl:variable name="by" select="verdict/safety_criterion"/>
+  <xsl:for-each select="criteria/item[criterion = $by and $by != 'breakage' and scope = 'stem' and wants != '']/winds/item[speed/value =
+    $last/speed/value and safety/value != '']">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.stress.by</xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="place">
+          <xsl:with-param name="height" select="governing_section/height/value"/>
+          <xsl:with-param name="section" select="governing_section"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="fixed">
+          <xsl:with-param name="x" select="100 div safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="e"><xsl:for-each select="../.."><xsl:call-template name="criterion-name"/></xsl:for-each></xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
   <xsl:if test="$root/safety/value != ''">
@@ -465,7 +507,7 @@
           <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
         </xsl:call-template>
         <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
-        <xsl:value-of select="text"/>
+        <xsl:call-template name="warning"/>
       </p>
     </xsl:for-each>
     <!-- no ranking out of answers that are not valid -->

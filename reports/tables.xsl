@@ -180,93 +180,54 @@
         <xsl:call-template name="say"><xsl:with-param name="id">t.critical</xsl:with-param></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
-    <thead>
-      <tr>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.outcome</xsl:with-param><xsl:with-param name="class"/>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.gust</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
-        </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.evidence</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
-        </xsl:call-template>
-      </tr>
-    </thead>
-    <tbody>
-      <xsl:for-each select="$trees">
-        <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical_stem"/></xsl:call-template>
-        <xsl:call-template name="overturning-rows"/>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">c.tree;c.criterion;c.outcome;c.critical:m/s;c.gust:m/s;c.height:m;c.evidence:m/s</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <xsl:for-each select="$trees">
+      <tbody>
+        <xsl:choose>
+          <xsl:when test="verdict/criteria/item"><xsl:call-template name="loss-rows"/></xsl:when>
+          <xsl:otherwise>
+            <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical_stem"/></xsl:call-template>
+          </xsl:otherwise>
+        </xsl:choose>
+        <xsl:call-template name="unassessed-rows"/>
         <xsl:if test="critical/governing_section/level &gt; 0">
           <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical"/></xsl:call-template>
         </xsl:if>
-      </xsl:for-each>
-    </tbody>
+      </tbody>
+    </xsl:for-each>
   </table>
 </xsl:template>
 
-<!-- A row of the table of critical wind speeds: of the stem, or of the part that breaks first. -->
+<!-- The part that breaks first, or of results that know no other criterion the stem: a row of the table of critical
+     wind speeds. -->
 <xsl:template name="breaks">
   <xsl:param name="at"/>
   <tr>
     <xsl:if test="$at/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+    <td><xsl:if test="name($at) != 'critical'"><xsl:call-template name="name"/></xsl:if></td>
     <td>
       <xsl:choose>
         <xsl:when test="name($at) = 'critical'">
           <xsl:call-template name="say"><xsl:with-param name="id">c.first.part</xsl:with-param></xsl:call-template>
         </xsl:when>
-        <xsl:otherwise><xsl:call-template name="name"/></xsl:otherwise>
+        <xsl:otherwise>
+          <xsl:call-template name="say"><xsl:with-param name="id">criterion.breakage</xsl:with-param></xsl:call-template>
+        </xsl:otherwise>
       </xsl:choose>
     </td>
     <td>
-      <xsl:call-template name="say">
-        <xsl:with-param name="id">
-          <xsl:choose>
-            <xsl:when test="$at/within_limits = 'false'">outcome.void</xsl:when>
-            <xsl:otherwise><xsl:value-of select="concat('outcome.', $at/outcome)"/></xsl:otherwise>
-          </xsl:choose>
-        </xsl:with-param>
-        <xsl:with-param name="a">
-          <xsl:choose>
-            <xsl:when test="$at/outcome = 'above'">
-              <xsl:call-template name="given"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template>
-            </xsl:when>
-            <xsl:otherwise>
-              <xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_low/value"/></xsl:call-template>
-            </xsl:otherwise>
-          </xsl:choose>
-        </xsl:with-param>
-        <xsl:with-param name="b">
-          <xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template>
-        </xsl:with-param>
+      <xsl:call-template name="reached">
+        <xsl:with-param name="of" select="$at"/>
+        <xsl:with-param name="id"><xsl:choose>
+          <xsl:when test="$at/within_limits = 'false'">outcome.void</xsl:when>
+          <xsl:otherwise><xsl:value-of select="concat('outcome.', $at/outcome)"/></xsl:otherwise>
+        </xsl:choose></xsl:with-param>
       </xsl:call-template>
       <xsl:if test="$at/governing_section/level &gt; 0"> (<xsl:call-template name="part">
         <xsl:with-param name="level" select="$at/governing_section/part"/></xsl:call-template>)</xsl:if>
-      <xsl:if test="$at/governing_section/diameter/value != ''">
-        <span class="why">
-          <xsl:call-template name="segment"><xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template>
-          <xsl:if test="$at/governing_section/weight_stress/value != ''">
-            <xsl:text> </xsl:text>
-            <xsl:call-template name="say">
-              <xsl:with-param name="id">segment.weight</xsl:with-param>
-              <xsl:with-param name="a">
-                <xsl:call-template name="fixed">
-                  <xsl:with-param name="x" select="$at/governing_section/weight_stress/value div 1000000"/>
-                </xsl:call-template>
-              </xsl:with-param>
-            </xsl:call-template>
-          </xsl:if>
-        </span>
-      </xsl:if>
+      <xsl:call-template name="failing"><xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template>
     </td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template>
     <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template></td>

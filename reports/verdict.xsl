@@ -155,39 +155,109 @@
   </xsl:if>
 </xsl:template>
 
-<!-- Rows of the table of critical winds: overturning as tested and in saturated soil, or why it has none. -->
-<xsl:template name="overturning-rows">
-  <xsl:for-each select="verdict/criteria/item[starts-with(criterion, 'overturning')]">
-    <tr>
-      <td>
-        <xsl:call-template name="say"><xsl:with-param name="id" select="concat('criterion.', criterion)"/></xsl:call-template>
-      </td>
-      <td>
+<!-- An outcome of a search in words, of the string `id`. -->
+<xsl:template name="reached">
+  <xsl:param name="of"/><xsl:param name="id"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id" select="$id"/>
+    <xsl:with-param name="a">
+      <xsl:choose>
+        <xsl:when test="$of/outcome = 'above'">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="$of/speed_high/value"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="fixed"><xsl:with-param name="x" select="$of/speed_low/value"/></xsl:call-template>
+        </xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:call-template name="fixed"><xsl:with-param name="x" select="$of/speed_high/value"/></xsl:call-template>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- The segment that fails, and what its weight does to it at rest. -->
+<xsl:template name="failing">
+  <xsl:param name="section"/>
+  <xsl:if test="$section/diameter/value != ''">
+    <span class="why">
+      <xsl:call-template name="segment"><xsl:with-param name="section" select="$section"/></xsl:call-template>
+      <xsl:if test="$section/weight_stress/value != ''">
+        <xsl:text> </xsl:text>
         <xsl:call-template name="say">
-          <xsl:with-param name="id">
-            <xsl:text>outcome.</xsl:text>
-            <xsl:if test="contains(' found above self-weight ', concat(' ', outcome, ' '))">overturn.</xsl:if>
-            <xsl:value-of select="outcome"/>
-          </xsl:with-param>
-          <xsl:with-param name="a"><xsl:call-template name="given">
-            <xsl:with-param name="x" select="(self::*[outcome = 'above']/speed_high | self::*[outcome != 'above']/speed_low)/value"/>
-          </xsl:call-template></xsl:with-param>
-          <xsl:with-param name="b">
-            <xsl:call-template name="given"><xsl:with-param name="x" select="speed_high/value"/></xsl:call-template>
+          <xsl:with-param name="id">segment.weight</xsl:with-param>
+          <xsl:with-param name="a">
+            <xsl:call-template name="fixed">
+              <xsl:with-param name="x" select="$section/weight_stress/value div 1000000"/>
+            </xsl:call-template>
           </xsl:with-param>
         </xsl:call-template>
+      </xsl:if>
+    </span>
+  </xsl:if>
+</xsl:template>
+
+<!-- Rows of the table of critical winds: every criterion that loses the tree, the one that governs marked; overturning also
+     in saturated soil. -->
+<xsl:template name="loss-rows">
+  <xsl:variable name="tree" select="."/>
+  <xsl:for-each select="verdict/criteria/item">
+    <xsl:variable name="of" select="criterion"/>
+    <xsl:variable name="governs" select="$of = ../../criterion"/>
+    <xsl:variable name="section" select="$tree/criteria/item[criterion = $of and scope = 'stem']/governing_section"/>
+    <tr>
+      <xsl:attribute name="class">
+        <xsl:if test="within_limits = 'false'">void </xsl:if><xsl:if test="$governs">governs</xsl:if>
+      </xsl:attribute>
+      <td><xsl:if test="position() = 1">
+        <xsl:call-template name="name"><xsl:with-param name="tree" select="$tree"/></xsl:call-template>
+      </xsl:if></td>
+      <td><xsl:call-template name="criterion-name"/></td>
+      <td>
+        <xsl:if test="$governs">
+          <xsl:call-template name="say"><xsl:with-param name="id">governs</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+        </xsl:if>
+        <xsl:call-template name="reached">
+          <xsl:with-param name="of" select="."/>
+          <xsl:with-param name="id">
+            <xsl:choose>
+              <xsl:when test="within_limits = 'false'">outcome.void</xsl:when>
+              <xsl:when test="not(contains(' found above self-weight ', concat(' ', outcome, ' ')))">
+                <xsl:value-of select="concat('outcome.', outcome)"/>
+              </xsl:when>
+              <xsl:when test="starts-with($of, 'overturning')"><xsl:value-of select="concat('outcome.overturn.', outcome)"/></xsl:when>
+              <xsl:when test="$of = 'breakage'"><xsl:value-of select="concat('outcome.', outcome)"/></xsl:when>
+              <xsl:when test="outcome = 'found'"><xsl:value-of select="concat('outcome.', $of, '.found')"/></xsl:when>
+              <xsl:otherwise><xsl:value-of select="concat('outcome.reached.', outcome)"/></xsl:otherwise>
+            </xsl:choose>
+          </xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="failing"><xsl:with-param name="section" select="$section"/></xsl:call-template>
       </td>
       <xsl:call-template name="cell"><xsl:with-param name="x" select="critical_speed/value"/></xsl:call-template>
       <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="critical_speed/value"/></xsl:call-template></td>
-      <td class="r">–</td>
-      <td class="r">–</td>
+      <xsl:choose>
+        <xsl:when test="$section">
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="height/value"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise><td class="r">–</td></xsl:otherwise>
+      </xsl:choose>
+      <td class="r"><xsl:if test="position() = 1">
+        <xsl:call-template name="given">
+          <xsl:with-param name="x" select="$tree/species/streamlining/speed_high/value"/>
+        </xsl:call-template>
+      </xsl:if></td>
     </tr>
   </xsl:for-each>
-  <xsl:for-each select="verdict/not_assessed/item[criterion = 'overturning']">
+</xsl:template>
+
+<!-- Rows of the same table: what was not assessed, and why. The context is a tree. -->
+<xsl:template name="unassessed-rows">
+  <xsl:for-each select="verdict/not_assessed/item">
     <tr>
-      <td>
-        <xsl:call-template name="say"><xsl:with-param name="id">criterion.overturning</xsl:with-param></xsl:call-template>
-      </td>
+      <td/>
+      <td><xsl:call-template name="criterion-name"/></td>
       <td colspan="5">
         <xsl:call-template name="say">
           <xsl:with-param name="id">outcome.unassessed</xsl:with-param>

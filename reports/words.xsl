@@ -5,17 +5,17 @@
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 <xsl:variable name="lang" select="/report/@lang"/>
 <xsl:variable name="strings" select="document('strings.xml')/strings"/>
-<xsl:key name="string" match="s|q" use="@id | @was"/>
+<xsl:key name="string" match="s|q|w" use="@id | @was"/>
 <xsl:variable name="gap">
   <xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template>
 </xsl:variable>
 <xsl:variable name="trees" select="/report/results/trees/item"/>
 <xsl:variable name="degrees" select="57.29577951308232"/>
 
-<!-- A sentence with up to six things put in. -->
+<!-- A sentence with up to eight things put in. -->
 <xsl:template name="say">
   <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/>
-  <xsl:param name="e"/><xsl:param name="f"/>
+  <xsl:param name="e"/><xsl:param name="f"/><xsl:param name="g"/><xsl:param name="h"/>
   <xsl:variable name="text">
     <xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/*[name() = $lang]"/></xsl:for-each>
   </xsl:variable>
@@ -26,12 +26,13 @@
     <xsl:with-param name="text" select="string($text)"/>
     <xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/><xsl:with-param name="c" select="$c"/>
     <xsl:with-param name="d" select="$d"/><xsl:with-param name="e" select="$e"/><xsl:with-param name="f" select="$f"/>
+    <xsl:with-param name="g" select="$g"/><xsl:with-param name="h" select="$h"/>
   </xsl:call-template>
 </xsl:template>
 
 <xsl:template name="put-in">
   <xsl:param name="text"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/>
-  <xsl:param name="e"/><xsl:param name="f"/>
+  <xsl:param name="e"/><xsl:param name="f"/><xsl:param name="g"/><xsl:param name="h"/>
   <xsl:choose>
     <xsl:when test="contains($text, '{')">
       <xsl:variable name="n" select="substring-before(substring-after($text, '{'), '}')"/>
@@ -42,12 +43,15 @@
         <xsl:when test="$n = 3"><xsl:value-of select="$c"/></xsl:when>
         <xsl:when test="$n = 4"><xsl:value-of select="$d"/></xsl:when>
         <xsl:when test="$n = 5"><xsl:value-of select="$e"/></xsl:when>
-        <xsl:otherwise><xsl:value-of select="$f"/></xsl:otherwise>
+        <xsl:when test="$n = 6"><xsl:value-of select="$f"/></xsl:when>
+        <xsl:when test="$n = 7"><xsl:value-of select="$g"/></xsl:when>
+        <xsl:otherwise><xsl:value-of select="$h"/></xsl:otherwise>
       </xsl:choose>
       <xsl:call-template name="put-in">
         <xsl:with-param name="text" select="substring-after($text, '}')"/>
         <xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/><xsl:with-param name="c" select="$c"/>
         <xsl:with-param name="d" select="$d"/><xsl:with-param name="e" select="$e"/><xsl:with-param name="f" select="$f"/>
+        <xsl:with-param name="g" select="$g"/><xsl:with-param name="h" select="$h"/>
       </xsl:call-template>
     </xsl:when>
     <xsl:otherwise><xsl:value-of select="$text"/></xsl:otherwise>

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
+#include "cmd/usage.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <malloc.h>
@@ -13,18 +14,6 @@
 #include <unistd.h>
 
 enum { COMMANDS_MAX = 64 };
-
-static int help(FILE *to)
-{
-    wf_show(to,
-            "windfirm %s: what wind does to a tree\n\nUsage: windfirm COMMAND [argument...]\n\nCommands:\n",
-            WF_VERSION);
-    for (const struct wf_command *c = wf_commands; c->name; c++)
-        wf_show(to, "  %-10s %s\n", c->name, c->summary);
-    wf_show(to, "\n'windfirm COMMAND --help' lists a command's arguments, options, units and defaults.\n"
-                "'windfirm --version' prints the version.\n");
-    return to == stdout ? 0 : 2;
-}
 
 static int unknown(const char *word)
 {
@@ -65,10 +54,10 @@ static int finish(int code)
 
 static int run(int argc, char **argv)
 {
-    if (argc < 2) return help(stderr);
+    if (argc < 2) return wf_usage_overview(stderr, "--help"), 2;
     const char *word = argv[1];
     bool detail = strcmp(word, "help") == 0;
-    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || (detail && argc < 3)) return help(stdout);
+    if (wf_usage_overview(stdout, detail && argc < 3 ? "--help" : word)) return 0;
     if (strcmp(word, "--version") == 0 || strcmp(word, "version") == 0)
         return wf_show(stdout, "windfirm %s\n", WF_VERSION) < 0;
     if (strcmp(word, WF_READ_MAT_WORD) == 0) return wf_read_mat_apart(argc, argv);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Anchorage of the root by every method, files that are refused, and the criterion 'overturning': against the
  * moments of GALES, HWIND's pine, a rigid stem whose moment is known, and the moment of a leaning tree. */
+#include "base/column.h"
 #include "beam_cases.h"
 #include "data/model.h"
 #include "data/out/folder.h"
@@ -275,6 +276,8 @@ static void curves_that_are_refused(void **state)
     refused(true, "phi_deg,moment_kNm\n0,0\n0.25,nan\n", "moment_kNm");
     refused(true, "phi_deg,moment_kNm\n", "does not rise");
     refused(true, "phi_deg,M\n0,0\n1,2\n", "moment_kNm");
+    refused(true, "phi_deg,moment_foo\n0,0\n1,2\n", "moment_kNm");
+    refused(true, "phi_deg,moment_kN\n0,0\n1,2\n", "moment_kNm");
     refused(false, "species,soil,rooting,Nm_per_kg\noak,sand,,100\n", "'sand'");
     refused(false, "species,soil,rooting,Nm_per_kg\noak,peat,very,100\n", "'very'");
     refused(false, "species,soil,rooting,Nm_per_kg\noak,peat,deep,0\n", "Nm_per_kg");
@@ -293,6 +296,7 @@ static void curves(void **state)
         size_t warnings;
     } rows[] = { { "phi_deg,moment_kNm\n0,0\n0.25,10\n2.2,27\n4,22\n", 27e3, 0 },
                  { "phi_deg;moment_Nm\n0;0\n0,25;10000\n2,2;27000\n4;22000\n", 27e3, 0 },
+                 { "phi_rad,moment_MNm\n0,0\n0.01,0.010\n0.02,0.027\n0.04,0.022\n", 27e3, 0 },
                  { "phi_deg,moment_kNm\n0.25,10\n0.5,16\n", 16e3, 1 },
                  { "phi_deg,moment_kNm\n0,1\n1,5\n2,4\n3,6\n4,2\n", 6e3, 0 } };
     for (size_t k = 0; k < WF_COUNT(rows); k++) {
@@ -314,6 +318,34 @@ static void curves(void **state)
         folder_remove(&folder);
         beam_free(&c);
     }
+}
+
+/* A required column whose name ends in no unit is refused, not taken as it stands in SI. */
+static void a_name_without_a_unit(void **state)
+{
+    (void)state;
+    struct folder folder;
+    struct wf_arena arena = { 0 };
+    struct wf_diag d = { .arena = &arena };
+    struct wf_csv csv = { 0 };
+    struct wf_err e = { 0 };
+    struct wf_units *u;
+    double factor;
+    assert_true(folder_make(&folder));
+    FILE *f = fopen(folder_file(&folder, "f.csv"), "w");
+    assert_non_null(f);
+    fputs("moment_foo,moment_kNm\n1,2\n", f);
+    fclose(f);
+    assert_int_equal(wf_csv_open(&csv, folder_file(&folder, "f.csv"), &arena, &d, &e), WF_OK);
+    assert_int_equal(wf_units_open(&u, &e), WF_OK);
+    assert_int_equal(wf_column_need(&csv, u, "moment_kNm", WF_DIM_MOMENT, &factor, &e), 1);
+    assert_true(factor == 1e3 && d.errors == 0);
+    assert_true(wf_column_need(&csv, u, "moment_foo", WF_DIM_MOMENT, &factor, &e) == WF_CSV_NONE);
+    assert_int_equal(d.errors, 1);
+    assert_non_null(strstr(d.first->text, "'moment_foo' is not a unit of a moment; use one of: N m, kN m"));
+    wf_units_close(u);
+    wf_arena_free(&arena);
+    folder_remove(&folder);
 }
 
 /* The row of soil and rooting; a blank cell fits everything, and one row must fit. */
@@ -464,6 +496,7 @@ int main(void)
         cmocka_unit_test(moments_of_gales),
         cmocka_unit_test(pine_of_hwind),
         cmocka_unit_test(curves),
+        cmocka_unit_test(a_name_without_a_unit),
         cmocka_unit_test(curves_that_are_refused),
         cmocka_unit_test(table_rows),
         cmocka_unit_test(rigid_stem),

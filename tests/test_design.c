@@ -254,13 +254,41 @@ static void refused(void **state)
     }
 }
 
+/* Gust over mean at a site: of the winds named, of the code, and lower down over rough ground. */
+static void gust_at_the_site(void **state)
+{
+    (void)state;
+    struct wf_scenario s;
+    struct wf_err e = { 0 };
+    struct wf_profile_words w = WF_PROFILE_UNSAID;
+    w.design.terrain = "III";
+    wf_scenario_default(&s);
+    assert_int_equal(wf_scenario_words(&s, &w, &e), WF_OK);
+    assert_close(wf_scenario_squall(&s, 10), sqrt(1 + 7 / log(10 / 0.3)), 1e-12);
+    assert_close(wf_scenario_squall(&s, 6), sqrt(1 + 7 / log(6 / 0.3)), 1e-12);
+    w.design.terrain = NULL, w.gust_factor = 1.7;
+    wf_scenario_default(&s);
+    assert_int_equal(wf_scenario_words(&s, &w, &e), WF_OK);
+    assert_close(wf_scenario_squall(&s, 10), 1.7, 1e-12);
+    w = (struct wf_profile_words)WF_PROFILE_UNSAID;
+    w.design.code = "asce7", w.design.terrain = "B", w.design.basic = 45;
+    wf_scenario_default(&s);
+    assert_int_equal(wf_scenario_words(&s, &w, &e), WF_OK);
+    struct wf_design_wind at = found(w.design);
+    assert_close(wf_scenario_squall(&s, 10), at.gust / at.mean, 1e-12);
+    w.design.code = "arborist", w.design.terrain = NULL, w.design.basic = NAN;
+    wf_scenario_default(&s);
+    assert_int_equal(wf_scenario_words(&s, &w, &e), WF_OK);
+    assert_close(wf_scenario_gust(&s, 1.0), wf_scenario_squall(&s, 3), 1e-12); /* the same at every height */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows),      cmocka_unit_test(eurocode),          cmocka_unit_test(chinese),
         cmocka_unit_test(american),  cmocka_unit_test(australian),        cmocka_unit_test(swiss),
         cmocka_unit_test(arborists), cmocka_unit_test(codes_differ),      cmocka_unit_test(carried),
-        cmocka_unit_test(refused),   cmocka_unit_test(profile_of_a_code),
+        cmocka_unit_test(refused),   cmocka_unit_test(profile_of_a_code), cmocka_unit_test(gust_at_the_site),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,7 +18,7 @@ static void prints_and_writes(void **state)
           "wc "
           "-l <$T/f/tables/samples.csv; head -1 $T/f/tables/fragility.csv",
           CODE_OK,
-          { "the stem breaks at about 18 m/s mean, ", "(90 % of 40 samples)", "\n102\n41\n",
+          { "the stem is lost at about 18 m/s mean, ", "(90 % of 40 samples)", "\n102\n41\n",
             "wind_m_s,gust_m_s,share_lost,share_low,share_high,lognormal" } },
         { "$W fragility moso_bamboo $M --samples 40 --no-report -q -o $T/f; cut -d, -f1,3 "
           "$T/f/tables/tornado.csv",

@@ -86,7 +86,7 @@ static void commands(void **state)
         { "$W analyze oak -m culm --wind 10 --water-film 0.3mm --no-report -o $T/wet && "
           "grep -c frequencies_Hz $T/wet/results.json",
           CODE_OK,
-          { "rain on the leaves: 5.1 kg, 0.3 mm on 17 m2", "dry -> wet: sways at 0.2562 -> 0.1868 Hz" } },
+          { "rain on the leaves: 5.1 kg, 0.3 mm on 17 m2", "dry -> wet: sways at 0.2562 Hz -> 0.1868 Hz" } },
         { "$W analyze oak -m culm --wind 10 --rain 20mm/h --no-report -o $T/wet",
           CODE_OK,
           { "5.1 kg, 0.3 mm", "water-storage" } },

@@ -5,6 +5,7 @@
 #include "cases/read.h"
 #include "cases/run.h"
 #include "close.h"
+#include "base/yaml.h"
 #include "data/species.h"
 #include "edited.h"
 #include "load/drag.h"
@@ -192,7 +193,7 @@ static void schema_follows_the_table(void **state)
 {
     (void)state;
     struct wf_arena a = { 0 };
-    const char *text = wf_species_schema(&own, &a, NULL), *shipped = wf_species_schema(&wf_laws, &a, NULL);
+    const char *text = wf_yaml_schema(wf_species_table(&own, &a), &a, NULL), *shipped = wf_yaml_schema(wf_species_table(&wf_laws, &a), &a, NULL);
     assert_non_null(strstr(text, "stiff: gives way late; soft: gives way early."));
     assert_non_null(strstr(text, "needed by law stiff, soft, refused by the others"));
     assert_non_null(strstr(text, "if absent: 0.25 by law soft, refused by the others"));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tree models: what is read, and every mistake by name. */
 #include "close.h"
+#include "base/yaml.h"
 #include "data/model.h"
 #include "edited.h"
 
@@ -196,7 +197,7 @@ static void the_schema_is_printed(void **state)
     (void)state;
     struct wf_arena a = { 0 };
     struct wf_err e = { 0 };
-    const char *text = wf_model_schema(&a, &e);
+    const char *text = wf_yaml_schema(&wf_model_table, &a, &e);
     assert_non_null(text);
     static const char *const lines[] = { "  stem.height  (required)\n", "  crown.shape.share  (required)\n",
                                          "an angle, 0 deg to 90 deg", "default: 40",

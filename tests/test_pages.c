@@ -25,6 +25,38 @@ static const struct {
     { "modes", "modes oak $M --wind 0,10" },
     { "fragility", "fragility oak $M --samples 20" },
 };
+/* A culm that splits long before it breaks: wherever a wind of breakage stands, so does the wind of
+ * splitting. */
+static void what_governs_is_said(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W compare moso_bamboo weeping_willow --model moso_culm --wind 10,25 --directions 8 --samples 0 "
+          "--lang en "
+          "--no-pdf -o $T/a -q; sed 's/<tr/\\n<tr/g; s/<[^>]*>/ /g' $T/a/report.html | tr -s ' ' | grep -A5 "
+          "'Fails at' | tail -n 5",
+          CODE_OK,
+          { " Moso bamboo Bending (breakage) breaks ", " Splitting of the wall governs: splits ",
+            " Ovalisation of the wall flattens ", " Overturning not assessed: " } },
+        { "$W compare moso_bamboo weeping_willow --model moso_culm --wind 10,25 --directions 8 --samples 0 "
+          "--lang zh "
+          "--no-pdf -o $T/a -q; sed 's/<[^>]*>/ /g' $T/a/report.html | tr -s ' ' | grep -c '壁面劈裂 "
+          "控制判据：劈裂'",
+          CODE_OK,
+          { "1" } },
+        { "$W compare moso_bamboo weeping_willow --model moso_culm --wind 10,25 --directions 8 --samples 0 "
+          "--no-report -o $T/a -q; for t in summary directions; do grep -c 'found,splitting$' "
+          "$T/a/tables/$t.csv; grep -c "
+          "'found,breakage$' $T/a/tables/$t.csv; done; $W compare moso_bamboo weeping_willow --model "
+          "moso_culm --wind 10,25 "
+          "--directions 8 --samples 0 --no-report -o $T/a | grep -E '(governs|splitting|breakage) *$|  "
+          "splitting  ' | tr -s ' '",
+          CODE_OK,
+          { "2\n2\n16\n16\n", " splitting 0.74 1 ", " governs" } },
+    };
+    CHECK(rows);
+}
+
 #define ROSE                                                                                                 \
     "{ echo direction_deg,frequency,weibull_scale_ms,weibull_shape; for d in 0 45 90 135 180 225 270 315; "  \
     "do echo $d,1,6,2; done; } >$T/r.csv\n"
@@ -152,7 +184,10 @@ static void strings_are_whole(void **state)
         { "grep -nE '<(s|q) id' reports/strings.xml | grep -vE '<en>[^<]+</en><zh>[^<]+</zh>' || echo none",
           CODE_OK,
           { "none" } },
-        { "grep -oE '<s id=\"[^\"]+\"' reports/strings.xml | sort | uniq -d | grep . || echo none",
+        { "grep -nE '<w id' reports/strings.xml | grep -vE '<zh>[^<]+</zh></w>$' || echo none",
+          CODE_OK,
+          { "none" } },
+        { "grep -oE '<[sw] id=\"[^\"]+\"' reports/strings.xml | sort | uniq -d | grep . || echo none",
           CODE_OK,
           { "none" } },
         { "awk 'length($0) > 140 { print FILENAME \":\" FNR }' reports/*.xsl | grep . || echo none",
@@ -173,6 +208,7 @@ int main(void)
         cmocka_unit_test(a_command_speaks_the_language_it_is_asked_for),
         cmocka_unit_test(every_warning_has_words),
         cmocka_unit_test(strings_are_whole),
+        cmocka_unit_test(what_governs_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -337,6 +337,12 @@ static void what_is_refused(void **state)
     model.silhouette.area = 10;
     assert_int_equal(grow(&t, &a, &d, &e), WF_EINPUT);
     assert_non_null(strstr(e.text, "does not say where"));
+    set_up(NULL);
+    double high_x[] = { -1, 1, 0 }, high_z[] = { 30, 30, 45 };
+    model.silhouette.points = 3, model.silhouette.x = high_x, model.silhouette.z = high_z;
+    e = (struct wf_err){ 0 };
+    assert_int_equal(grow(&t, &a, &d, &e), WF_EINPUT);
+    assert_non_null(strstr(e.text, "outline ends 45 m above the ground"));
     wf_arena_free(&a);
 }
 
@@ -350,6 +356,13 @@ static void outline_of_a_file(void **state)
     struct scratch f;
     const char *good = "x_m,z_m\n-1,4\n1,4\n0,12\n", *bad = "x_m,z_m\n-1,4\n1,four\n0,12\n";
     scratch_write(&f, good, strlen(good));
+    assert_int_equal(wf_outline_read(f.path, &s, &a, &d, &e), WF_OK);
+    assert_int_equal(s.points, 3);
+    assert_close(wf_silhouette_area(&s), 8, 1e-14);
+    scratch_remove(&f);
+    /* in another unit, with a point twice and closed */
+    const char *closed = "x_cm,z (cm)\n-100,400\n100,400\n100,400\n0,1200\n-100,400\n";
+    scratch_write(&f, closed, strlen(closed));
     assert_int_equal(wf_outline_read(f.path, &s, &a, &d, &e), WF_OK);
     assert_int_equal(s.points, 3);
     assert_close(wf_silhouette_area(&s), 8, 1e-14);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Species tables: what is read, and every mistake by name. */
 #include "close.h"
+#include "base/yaml.h"
 #include "data/species.h"
 #include "edited.h"
 #include "load/drag.h"
@@ -363,7 +364,7 @@ static void the_schema_is_printed(void **state)
     (void)state;
     struct wf_arena a = { 0 };
     struct wf_err e = { 0 };
-    const char *text = wf_species_schema(&wf_laws, &a, &e);
+    const char *text = wf_yaml_schema(wf_species_table(&wf_laws, &a), &a, &e);
     assert_non_null(text);
     static const char *const lines[] = { "  levels[].youngs_modulus  (required)\n",
                                          "  crown.streamlining.exponent\n",

@@ -3,6 +3,7 @@
  */
 #include "base/file.h"
 #include "close.h"
+#include "base/yaml.h"
 #include "data/species.h"
 #include "data/tree.h"
 #include "fit/param.h"
@@ -32,7 +33,7 @@ static void every_value_has_words(void **state)
     struct wf_bytes strings;
     const struct wf_level level = { .name = "stem" };
     const struct wf_species sp = { .key = "sp" };
-    const char *schema = wf_species_schema(&wf_laws, &a, &e);
+    const char *schema = wf_yaml_schema(wf_species_table(&wf_laws, &a), &a, &e);
     const struct wf_law *law;
     struct wf_property p;
     size_t n = 0;

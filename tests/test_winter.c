@@ -17,6 +17,7 @@ static void plant(struct wf_tree *t, struct wf_arena *a)
         t->y1[i] = i == 1 ? 1.5 : i == 2 ? -0.5 : 0;
         t->r0[i] = i ? 0.01 : 0.1, t->r1[i] = i ? 0.006 : 0.07;
         t->density[i] = 900;
+        t->level[i] = i > 0;
         t->leaf0[i] = t->leaf1[i] = i;
         t->sail0[i] = t->sail1[i] = 0.1 * i;
     }
@@ -49,7 +50,9 @@ static void snow(void **state)
     struct wf_arena a = { 0 };
     struct wf_tree t;
     plant(&t, &a);
-    assert_close(wf_crown_projection(&t, 0), PI / 4 * 3 * 2, 1e-14);
+    /* three corners: 0 0, 2 1.5, -1 -0.5 */
+    double around = 2.5 + sqrt(1.25) + sqrt(13);
+    assert_close(wf_crown_projection(&t, 0), around * around / (4 * PI), 1e-14);
     assert_close(wf_crown_projection(&t, 4), PI / 4 * 16, 1e-14);
     wf_snow_onto(&t, 30);
     double sum = 0;
@@ -62,8 +65,36 @@ static void snow(void **state)
     wf_arena_free(&a);
 }
 
+/* A ring of shoots: its mean width is its diameter; turning the tree changes nothing. */
+static void snow_of_a_turned_tree(void **state)
+{
+    (void)state;
+    enum { SHOOTS = 400 };
+    struct wf_arena a = { 0 };
+    struct wf_tree t;
+    struct wf_err e;
+    double area[2][2];
+    assert_int_equal(wf_tree_alloc(&t, SHOOTS, &a, &e), WF_OK);
+    for (int turned = 0; turned < 2; turned++)
+        for (int flat = 0; flat < 2; flat++) {
+            for (int i = 0; i < SHOOTS; i++) {
+                double angle = 2 * PI * i / SHOOTS, turn = 37 * PI / 180 * turned;
+                double x = 3 * cos(angle), y = (flat ? 1.5 : 3) * sin(angle);
+                t.x1[i] = x * cos(turn) - y * sin(turn), t.y1[i] = x * sin(turn) + y * cos(turn);
+                t.level[i] = 1, t.sail0[i] = t.sail1[i] = 0.1;
+            }
+            area[turned][flat] = wf_crown_projection(&t, 0);
+        }
+    assert_close(area[0][0], PI * 9, 1e-4); /* a polygon */
+    assert_close(area[1][0], area[0][0], 1e-12);
+    assert_close(area[1][1], area[0][1], 1e-12);
+    assert_true(area[0][1] > PI * 4.5 && area[0][1] < 1.2 * PI * 4.5);
+    wf_arena_free(&a);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(ice), cmocka_unit_test(snow) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(ice), cmocka_unit_test(snow),
+                                        cmocka_unit_test(snow_of_a_turned_tree) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

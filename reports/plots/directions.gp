@@ -19,12 +19,13 @@ ring(x) = (t = 10.0**floor(log10(x/2.5)), x/t <= 5 ? t : x/t <= 10 ? 2*t : 5*t)
 set trange [0:2*pi]; set samples 181
 known(x) = x == x ? x : -1
 stats AROUND using (abs(column("wind_m_s") - U) <= 1e-9*(1 + U) ? known(column("base_moment_Nm"))/1e3 : -1) name 'M' nooutput
-stats AROUND using (known(column("critical_wind_m_s"))) name 'C' nooutput
-stats AROUND using (known(column("stem_critical_wind_m_s"))) name 'S' nooutput
+# the loss of the tree and, of one tree, the part that breaks first; results that do not know the loss: that part and the stem
+array COLUMN[3] = ["base_moment_Nm", LOSS_KNOWN[1] ? "lost_wind_m_s" : "critical_wind_m_s", LOSS_KNOWN[1] ? "critical_wind_m_s" : "stem_critical_wind_m_s"]
+stats AROUND using (known(column(COLUMN[2]))) name 'C' nooutput
+stats AROUND using (known(column(COLUMN[3]))) name 'S' nooutput
 array TOP[2] = [M_max > 0 ? M_max : 1, C_max > 0 ? C_max : 1]
 if (trees == 1 && S_max > TOP[2]) { TOP[2] = S_max }
 array TITLE[2] = [sprintf(L('AROUND_MOMENT'), sprintf('%g', number('WIND_LAST', 0))), L('AROUND_CRITICAL')]
-array COLUMN[3] = ["base_moment_Nm", "critical_wind_m_s", "stem_critical_wind_m_s"]
 array SCALE[3] = [1e-3, 1, 1]
 stats AROUND using (at(1, U) ? 1 : NaN) name 'N' nooutput
 COUNT = int(N_records)
@@ -35,7 +36,9 @@ do for [p=1:2] {
     set lmargin at screen 0.01 + 0.5*(p - 1); set rmargin at screen 0.49 + 0.5*(p - 1)
     set tmargin at screen 1 - 40.0/HEIGHT; set bmargin at screen (KEY + 4)/HEIGHT
     set title TITLE[p] offset 0,0.2
-    do for [j=1:RINGS] {
+    FOUND = p == 1 || C_max > 0 || S_max > 0
+    if (!FOUND) { RINGS = 1; STEP = E; set label L('AROUND_NONE') at 0,0 center front }
+    do for [j=1:(FOUND ? RINGS : 0)] {
         set label sprintf('%g', j*STEP) at first 0.38*j*STEP, 0.92*j*STEP front textcolor rgb '#606060'
     }
     do for [k=1:4] {
@@ -66,8 +69,8 @@ load HERE.'strip.gp'
 set size noratio
 set key maxcols (trees == 1 ? 3 : KEY_COLUMNS)
 if (trees == 1) {
-    plot 2 with lines, keyentry with linespoints lt 1 title L('AROUND_FIRST'), \
-         for [n=1:(S_max > 0)] keyentry with linespoints lt 2 title L('AROUND_STEM')
+    plot 2 with lines, keyentry with linespoints lt 1 title L(LOSS_KNOWN[1] ? 'AROUND_LOST' : 'AROUND_FIRST'), \
+         for [n=1:(S_max > 0)] keyentry with linespoints lt 2 title L(LOSS_KNOWN[1] ? 'AROUND_FIRST' : 'AROUND_STEM')
 } else {
     plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title key_name(i)
 }

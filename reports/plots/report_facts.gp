@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Loaded by the figures of a report: its trees and wind speeds.
 trees = int(number('trees', 0))
-array NAME[trees]; array HEIGHT_M[trees]; array AZIMUTH[trees]; array ROWS[trees]; array CRITICAL[trees]; array SOLVED[trees]
+array NAME[trees]; array HEIGHT_M[trees]; array AZIMUTH[trees]; array ROWS[trees]; array CRITICAL[trees]; array SOLVED[trees]; array LOSS_KNOWN[trees]
 do for [i=1:trees] {
     NAME[i] = text_of('NAME', i); HEIGHT_M[i] = number('HEIGHT_M', i); AZIMUTH[i] = number('AZIMUTH', i)
     ROWS[i] = int(number('ROWS', i)); CRITICAL[i] = number('CRITICAL', i); SOLVED[i] = text_of('SOLVED', i)
+    LOSS_KNOWN[i] = number('LOSS_KNOWN', i) == 1
 }
 winds = int(number('winds', 0))
 array WIND[winds]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Least safety factor against wind speed, and the wind at which it reaches 1.
+# Safety of the tree against wind speed, and the wind at which it reaches 1; thin and dotted, the least safety against
+# breakage of any part. Results that do not know the loss of the tree have the latter alone.
 #   gnuplot -c safety.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'safety.svg'
 LANGUAGE = ARGC > 2 ? ARG3 : 'en'
@@ -9,14 +10,17 @@ load HERE.'report_facts.gp'
 KEY = 12.0 + 18*KEY_ROWS
 WIDTH = 640.0; HEIGHT = 326.0 + KEY
 load HERE.'start.gp'
+safety_of(n) = LOSS_KNOWN[nth(STRONG, n)] ? "tree_safety" : "least_safety"
 set multiplot
 from = 0.5
 most = 10.0
 do for [n=1:words(STRONG)] {
-    stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") >= 0.1*SPEED_MAX, column("least_safety"))) name 'S' nooutput
+    stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") >= 0.1*SPEED_MAX, column(safety_of(n)))) name 'S' nooutput
     most = S_max > most ? S_max : most
-    stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") <= SPEED_MAX, column("least_safety"))) name 'S' nooutput
+    stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") <= SPEED_MAX, column(safety_of(n)))) name 'S' nooutput
     from = S_min < from ? S_min : from
+    stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") <= SPEED_MAX, column("least_safety"))) name 'S' nooutput
+    from = S_min > 0 && S_min < from ? S_min : from
 }
 from = from < 0.1 ? 0.1 : from
 set xrange [0:SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
@@ -45,8 +49,9 @@ if (words(STRONG) == 0) {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040'   # no strength is known: the frame alone
 } else {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040', \
-         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n), \
-         for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), column("wind_m_s"))):"least_safety" with points lt nth(STRONG, n) lw 1
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)) && LOSS_KNOWN[nth(STRONG, n)], column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n) lw 0.8 dt 3, \
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), column("wind_m_s"))):(column(safety_of(n))) with lines lt nth(STRONG, n), \
+         for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), column("wind_m_s"))):(column(safety_of(n))) with points lt nth(STRONG, n) lw 1
 }
 load HERE.'strip.gp'
 set key maxcols KEY_COLUMNS

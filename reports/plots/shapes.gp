@@ -20,7 +20,7 @@ branched(i) = ROWS[i] <= 5000
 px = 0.0; py = 0.0; ox = 0.0; oy = 0.0
 from(is, x, y) = (ox = px, oy = py, px = x, py = y, is && column("axis") > 1 && column("segment") > 0 ? ox : NaN)
 
-# A shape beyond breakage is grey: that of a tree that cannot break.
+# A shape beyond the loss of the tree is grey: that of a tree that cannot be lost.
 shade(i, n) = WIND[n] > CRITICAL[i] ? '#b8b8b8' : word('#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9', (n - 1)%6 + 1)
 
 low = 0.0; high = 0.0; top = 0.0; floor = 0.0

@@ -10,7 +10,7 @@ KEY = 12.0 + 18*KEY_ROWS
 WIDTH = 640.0; HEIGHT = 250.0 + KEY
 load HERE.'start.gp'
 set multiplot
-set xrange [0:SPEED_MAX]; set yrange [0:*]
+set xrange [0:SPEED_MAX]; set yrange [0:1e-3 < *] # a tree that does not move has an axis all the same
 set xlabel sprintf(L('WIND'), sprintf('%g', number('REFERENCE', 0)))
 bottom = (52.0 + KEY)/HEIGHT
 do for [panel=0:1] {

@@ -72,7 +72,7 @@ set label 202 L('TREE_LENGTH') at left + 186, y right font ',9' textcolor rgb '#
 set label 203 L('TREE_DIAMETER') at left + 236, y right font ',9' textcolor rgb '#606060'
 do for [l=1:LEVELS] {
     y = top - LINE*(P_ROWS + 1 + l)
-    name = short(text_of('LEVEL', l), 130); axes = text_of('L_COUNT', l); long = text_of('L_LENGTH', l); wide = text_of('L_DIAMETER', l)
+    name = short(L(text_of('LEVEL', l)), 130); axes = text_of('L_COUNT', l); long = text_of('L_LENGTH', l); wide = text_of('L_DIAMETER', l)
     set label 300 + l name at left, y font ',7.5' textcolor rgb colour(l)
     set label 400 + l axes at left + 116, y right font ',7.5'
     set label 500 + l long at left + 186, y right font ',7.5'

@@ -208,3 +208,11 @@ enum wf_status wf_clock_settle(const struct wf_clock *k, const char *file, const
     }
     return WF_OK;
 }
+
+bool wf_clock_date(const struct wf_clock *k, double t, int *year, int *month)
+{
+    int day;
+    if (k->kind != DATES || isnan(t)) return false;
+    date_of(k->origin + (long)floor(t / 86400.0), year, month, &day);
+    return true;
+}

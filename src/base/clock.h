@@ -35,4 +35,7 @@ void wf_clock_say_unit(const struct wf_clock *k, struct wf_csv *c, size_t column
  * it, for the message. Errors: WF_EINPUT when it stays open and matters, or is contradicted. */
 enum wf_status wf_clock_settle(const struct wf_clock *k, const char *file, const char *say, double *t,
                                size_t n, struct wf_err *e);
+/* Year and month of a time of the column, after wf_clock_settle. Returned: false when the column has no
+ * dates. */
+bool wf_clock_date(const struct wf_clock *k, double t, int *year, int *month);
 #endif

@@ -122,6 +122,15 @@ static bool is_beaufort(const char *name)
     return (n >= 3 && !strcasecmp(name + n - 3, "bft")) || (n >= 8 && !strcasecmp(name + n - 8, "beaufort"));
 }
 
+static void refuse_unit(struct wf_csv *c, size_t column, const char *unit, enum wf_dimension d)
+{
+    char text[256];
+    const struct wf_cell *name = &c->name[column];
+    (void)snprintf(text, sizeof text, "column '%.60s': '%.40s' is not a unit of %s; use one of: %s",
+                   name->text, unit, wf_dimension_row(d)->name, wf_dimension_row(d)->units);
+    wf_csv_report(c, name->line, name->column, text);
+}
+
 bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum wf_dimension d,
                       const char *usual, double *factor, struct wf_err *e)
 {
@@ -141,10 +150,7 @@ bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum 
     }
     if (e && e->code) return false;
     if (wrong) {
-        char text[256];
-        (void)snprintf(text, sizeof text, "column '%.60s': '%.40s' is not a unit of %s; use one of: %s",
-                       name->text, wrong, wf_dimension_row(d)->name, wf_dimension_row(d)->units);
-        wf_csv_report(c, name->line, name->column, text);
+        refuse_unit(c, column, wrong, d);
         return false;
     }
     if (!maybe_unit(u, usual, d, factor, e)) return false;
@@ -174,10 +180,11 @@ size_t wf_column_need(struct wf_csv *c, struct wf_units *u, const char *name, en
     size_t stem, column = wf_csv_column(c, name);
     *factor = 1;
     if (column != WF_CSV_NONE) {
-        bool own = wf_name_unit(u, name, d, factor, &stem, e);
-        return c->unit && *c->unit[column] && own && !wf_column_factor(c, u, column, d, "1", factor, e)
-                   ? WF_CSV_NONE
-                   : column;
+        bool own = wf_name_unit(u, name, d, factor, &stem, e), headed = c->unit && *c->unit[column];
+        if (headed || !own) own = wf_column_factor(c, u, column, d, "", factor, e);
+        if (own) return column;
+        if (!headed) refuse_unit(c, column, name, d);
+        return WF_CSV_NONE;
     }
     if (wf_name_unit(u, name, d, factor, &stem, e))
         for (size_t k = 0; k < c->columns; k++)

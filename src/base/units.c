@@ -40,22 +40,54 @@ static const struct {
     enum wf_dimension dimension;
     const char *spelling, *meaning; /* meaning NULL: not a unit */
 } aliases[] = {
-    { WF_DIM_ANGLE, "deg", "degree" },   { WF_DIM_SPEED, "mph", "mile/hour" },
-    { WF_DIM_SPEED, "kph", "km/hour" },  { WF_DIM_SPEED, "kmh", "km/hour" },
-    { WF_DIM_SPEED, "kmph", "km/hour" }, { WF_DIM_SPEED, "km/h", "km/hour" },
-    { WF_DIM_SPEED, "ms", "m/s" },       { WF_DIM_SPEED, "mps", "m/s" },
-    { WF_DIM_SPEED, "m/s", "m/s" },      { WF_DIM_SPEED, "ms-1", "m/s" },
-    { WF_DIM_SPEED, "cms", "cm/s" },     { WF_DIM_SPEED, "fps", "ft/s" },
-    { WF_DIM_SPEED, "kn", "knot" },      { WF_DIM_SPEED, "kt", "knot" },
-    { WF_DIM_SPEED, "kts", "knot" },     { WF_DIM_SPEED, "kns", "knot" },
-    { WF_DIM_SPEED, "knot", "knot" },    { WF_DIM_SPEED, "knots", "knot" },
-    { WF_DIM_SPEED, "c", NULL },         { WF_DIM_FORCE, "kp", "kgf" },
+    { WF_DIM_ANGLE, "deg", "degree" },
+    { WF_DIM_SPEED, "mph", "mile/hour" },
+    { WF_DIM_SPEED, "kph", "km/hour" },
+    { WF_DIM_SPEED, "kmh", "km/hour" },
+    { WF_DIM_SPEED, "kmph", "km/hour" },
+    { WF_DIM_SPEED, "km/h", "km/hour" },
+    { WF_DIM_SPEED, "ms", "m/s" },
+    { WF_DIM_SPEED, "mps", "m/s" },
+    { WF_DIM_SPEED, "m/s", "m/s" },
+    { WF_DIM_SPEED, "ms-1", "m/s" },
+    { WF_DIM_SPEED, "cms", "cm/s" },
+    { WF_DIM_SPEED, "fps", "ft/s" },
+    { WF_DIM_SPEED, "kn", "knot" },
+    { WF_DIM_SPEED, "kt", "knot" },
+    { WF_DIM_SPEED, "kts", "knot" },
+    { WF_DIM_SPEED, "kns", "knot" },
+    { WF_DIM_SPEED, "knot", "knot" },
+    { WF_DIM_SPEED, "knots", "knot" },
+    { WF_DIM_SPEED, "c", NULL },
+    { WF_DIM_FORCE, "kp", "kgf" },
     { WF_DIM_FREQUENCY, "hz", "Hz" },
+    { WF_DIM_MOMENT, "Nm", "N m" },
+    { WF_DIM_MOMENT, "kNm", "kN m" },
+    { WF_DIM_MOMENT, "MNm", "MN m" },
+    { WF_DIM_MOMENT, "Ncm", "N cm" },
+    { WF_DIM_MOMENT, "Nmm", "N mm" },
+    { WF_DIM_ROTATIONAL_STIFFNESS, "Nm/rad", "N m/radian" },
+    { WF_DIM_ROTATIONAL_STIFFNESS, "kNm/rad", "kN m/radian" },
+    { WF_DIM_ROTATIONAL_STIFFNESS, "MNm/rad", "MN m/radian" },
+    { WF_DIM_ROTATIONAL_STIFFNESS, "Nm/deg", "N m/degree" },
+    { WF_DIM_ROTATIONAL_STIFFNESS, "kNm/deg", "kN m/degree" },
+    { WF_DIM_BENDING_STIFFNESS, "Nm2", "N m2" },
+    { WF_DIM_BENDING_STIFFNESS, "kNm2", "kN m2" },
+};
+
+/* Units that were read: UDUNITS takes some 10 us to read one, and few are used again and again. */
+enum { UNITS_KEPT = 64, UNIT_KEPT_BYTES = 24 };
+struct kept_unit {
+    enum wf_dimension dimension;
+    char text[UNIT_KEPT_BYTES];
+    cv_converter *to_si;
 };
 
 struct wf_units {
     ut_system *system;
     ut_unit *si[WF_DIM_COUNT];
+    size_t kept;
+    struct kept_unit keep[UNITS_KEPT];
 };
 
 const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d)
@@ -66,6 +98,7 @@ const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d)
 void wf_units_close(struct wf_units *u)
 {
     if (!u) return;
+    for (size_t i = 0; i < u->kept; i++) cv_free(u->keep[i].to_si);
     for (size_t i = 0; i < WF_DIM_COUNT; i++)
         if (u->si[i]) ut_free(u->si[i]);
     if (u->system) ut_free_system(u->system);
@@ -252,6 +285,34 @@ static enum wf_status unit_of(const struct wf_units *u, const char *text, enum w
     return s;
 }
 
+/* Convert *v to SI where the unit was read before. */
+static bool convert_kept(const struct wf_units *u, const char *text, enum wf_dimension d, double *v)
+{
+    for (size_t i = 0; i < u->kept; i++)
+        if (u->keep[i].dimension == d && !strcmp(u->keep[i].text, text)) {
+            *v = cv_convert_double(u->keep[i].to_si, *v);
+            return true;
+        }
+    return false;
+}
+
+/* Convert *v to SI and keep the converter where there is room. */
+static enum wf_status convert_new(struct wf_units *u, const char *text, ut_unit *unit, enum wf_dimension d,
+                                  double *v, struct wf_err *e)
+{
+    cv_converter *c = ut_get_converter(unit, u->si[d]);
+    if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory to convert a unit");
+    *v = cv_convert_double(c, *v);
+    if (u->kept == UNITS_KEPT || strlen(text) >= UNIT_KEPT_BYTES) {
+        cv_free(c);
+        return WF_OK;
+    }
+    struct kept_unit *k = &u->keep[u->kept++];
+    *k = (struct kept_unit){ .dimension = d, .to_si = c };
+    strcpy(k->text, text);
+    return WF_OK;
+}
+
 static enum wf_status convert(ut_unit *from, ut_unit *to, double *v, struct wf_err *e)
 {
     cv_converter *c = ut_get_converter(from, to);
@@ -324,12 +385,12 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     p += strspn(p, " \t");
     if (!*p && d != WF_DIM_NONE)
         return wf_fail(e, WF_EINPUT, "'%s' has no unit; write for example '%s %s'", t, t, usual);
-    if (*p) {
+    if (*p && !convert_kept(u, p, d, &v)) {
         ut_unit *unit;
         enum wf_status s = unit_of(u, p, d, &unit, e);
         if (s) return s;
         if (!unit) return refuse_unit(u, t, p, d, e);
-        s = convert(unit, u->si[d], &v, e);
+        s = convert_new(u, p, unit, d, &v, e);
         ut_free(unit);
         if (s) return s;
     }

@@ -122,6 +122,11 @@ void wf_yaml_ascending(struct wf_yaml *y, const char *key, size_t n, const doubl
 void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size);
 
 /* The schema as text: every key with dimension, range, default, description and example. Returned: the text,
- * in the arena; NULL with an error in `e` (WF_ENOMEM, WF_EMISSING). */
+ * in the arena; NULL with an error in `e` (WF_ENOMEM, also where the table is NULL for want of memory;
+ * WF_EMISSING). */
 char *wf_yaml_schema(const struct wf_yaml_table *table, struct wf_arena *a, struct wf_err *e);
+/* The same as a JSON Schema (draft-07), for editors: kinds, words, ranges of plain numbers, descriptions,
+ * defaults. It allows every file that the reader takes, and more: checks between keys are the reader's alone.
+ */
+char *wf_yaml_json_schema(const struct wf_yaml_table *table, struct wf_arena *a, struct wf_err *e);
 #endif

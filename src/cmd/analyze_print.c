@@ -7,8 +7,8 @@
 #include "data/species.h"
 #include "fail/anchorage.h"
 #include "grow/silhouette.h"
-#include "solve/solve.h"
 #include "out/tables.h"
+#include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
 #include "study/interval.h"
@@ -29,6 +29,12 @@ static void print_cell(FILE *to, int width, int digits, double x)
         wf_show(to, "%*s", width, "-");
 }
 
+/* 0: it fails without wind. */
+static double critical_speed(const struct wf_critical *c)
+{
+    return c->outcome == WF_CRITICAL_SELF_WEIGHT ? 0.0 : c->speed;
+}
+
 /* At the strongest specified wind. */
 static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
 {
@@ -37,11 +43,13 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     print_cell(to, 13, 3, at->base_moment / 1e3);
     print_cell(to, 8, 2, d->gusts[an->n - 1]);
     print_cell(to, 11, 3, at->tip_deflection);
-    print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
-    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
-    print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
     struct wf_verdict v = wf_verdict_of(d->breaks);
-    print_cell(to, 12, 2, v.loss ? v.loss->critical.speed : (double)NAN);
+    print_cell(to, 9, 2, wf_verdict_safety(at, NULL));
+    print_cell(to, 12, 2, critical_speed(&v.loss->critical));
+    wf_show(to, "  %-11s", isfinite(critical_speed(&v.loss->critical)) ? wf_criteria[v.criterion].name : "-");
+    print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
+    print_cell(to, 12, 2, critical_speed(&d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical));
+    print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
     const struct wf_directions_request *q = &an->directions->request;
     if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
     if (q->rose) {
@@ -54,7 +62,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    wf_show(to, "%-*s", x->request.speed_up ? 93 : 83, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 115 : 105, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     wf_show(to,
@@ -78,19 +86,19 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
         wf_show(to, "+y, east +x of the model\n");
     else
         wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "gusts", "tip moves", "safety",
-            "critical", "breaks", "tree lost", site ? "  exposure" : "",
-            rose ? "  hours/year with wind" : "");
-    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "x load", "m", "factor", "wind m/s",
-            "at m", "m/s", site ? "          " : "", rose ? "  above: mean      10 min" : "");
+    static const char heads[] = "%8s%13s%8s%11s%9s%12s  %-11s%9s%12s%10s%s%s\n";
+    wf_show(to, heads, "from", "base moment", "gusts", "tip moves", "safety", "tree lost", "by", "least",
+            "part breaks", "breaks", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
+    wf_show(to, heads, "deg", "kN m", "x load", "m", "of tree", "wind m/s", "", "safety", "wind m/s", "at m",
+            site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
     const struct wf_wind_place place = wf_scenario_place(&an->scenario);
-    wf_show(
-        to,
-        "  Moment, movement and safety at %.6g m/s. Critical winds are 10-min means at %.6g m over terrain "
-        "%s; their 3-s gusts are %.4g times as fast.\n",
-        an->at[an->n - 1].speed, place.height, place.terrain->name, wf_scenario_gust(&an->scenario, 1.0));
+    wf_show(to,
+            "  Moment, movement and safety at %.6g m/s; 'least safety' is that of breakage anywhere. Winds "
+            "are 10-min means at %.6g m over terrain "
+            "%s; their 3-s gusts are %.4g times as fast.\n",
+            an->at[an->n - 1].speed, place.height, place.terrain->name, wf_scenario_gust(&an->scenario, 1.0));
 }
 
 static void print_number(FILE *to, int width, int digits, double value)
@@ -304,6 +312,7 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
         wf_show(to, "exposure %.4g, from the map of the ground", s->speed_up);
     else
         wf_show(to, s->speed_up != 1.0 ? "exposure %.4g" : "level ground", s->speed_up);
+    if (s->winter != 1.0) wf_show(to, "; %.4g of the wind while snow or ice is on the tree", s->winter);
     double ratio = wf_scenario_speed(s, 1.0);
     if (ratio != 1.0)
         wf_show(to,
@@ -322,6 +331,17 @@ static void print_crown(FILE *to, const struct wf_analysis *an)
             seen.area, seen.centre, seen.breadth, seen.height);
 }
 
+/* The stand whose trees share the wind. */
+static void print_stand(FILE *to, const struct wf_stand *s)
+{
+    wf_show(to, ", stand of %.4g m height and %.4g m spacing", s->height, s->spacing);
+    if (isfinite(s->edge))
+        wf_show(to, ", %.4g m behind its edge", s->edge);
+    else
+        wf_show(to, ", well inside");
+    if (isfinite(s->gap)) wf_show(to, ", a gap of %.4g m before the edge", s->gap);
+}
+
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
@@ -330,6 +350,7 @@ void wf_print_head(FILE *to, const struct wf_analysis *first)
     print_crown(to, first);
     wf_print_site(to, s);
     wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
+    if (first->peak && first->peak->method->mean) print_stand(to, &first->peak->request.stand);
     if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));
     wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");
 }
@@ -413,9 +434,18 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
     int digits = wf_interval_decimals(i->low, i->high);
     double times = wf_scenario_gust(&an->scenario, 1.0);
     bool rooted = wf_interval_rooted(an);
-    print_speed_to(to, digits, i->middle, i->searched_to,
-                   rooted ? "  how sure: the tree is lost at about "
-                          : "  how sure: the stem breaks at about ");
+    const char *who = rooted ? "the tree is lost" : "the stem is lost";
+    wf_show(to, "  how sure: ");
+    if (!isfinite(i->low)) {
+        wf_show(to, "%s above %.4g m/s mean in more than 95 %% of %zu samples; 3-s gust above %.4g\n", who,
+                i->searched_to, i->n, times * i->searched_to);
+        print_safeties(to, i, rooted);
+        return;
+    }
+    if (isfinite(i->middle))
+        wf_show(to, "%s at about %.*f", who, digits, i->middle);
+    else
+        wf_show(to, "%s above %.4g", who, i->searched_to);
     print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
     print_speed_to(to, digits, i->high, i->searched_to, " to ");
     wf_show(to, " (90 %% of %zu samples)", i->n);
@@ -435,12 +465,14 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
                 w->leaf_area);
     else
         wf_show(to, "  snow and ice: %.4g kg; without -> with: ", w->mass);
-    wf_show(to, "sways at %.4f -> %.4f Hz, ", w->frequency[WF_DRY], w->frequency[WF_WET]);
+    wf_show(to, isfinite(w->frequency[WF_DRY]) ? "sways at %.4f Hz -> " : "does not stand -> ",
+            w->frequency[WF_DRY]);
+    wf_show(to, isfinite(w->frequency[WF_WET]) ? "%.4f Hz, " : "does not stand, ", w->frequency[WF_WET]);
     if (isfinite(w->speed))
         wf_show(to, "at %.4g m/s drag %.4g -> %.4g kN, base moment %.4g -> %.4g kN m, ", w->speed,
                 w->drag[WF_DRY] / 1000, w->drag[WF_WET] / 1000, w->moment[WF_DRY] / 1000,
                 w->moment[WF_WET] / 1000);
-    wf_show(to, "critical ");
+    wf_show(to, "lost at ");
     print_found(to, &w->critical[WF_DRY]);
     wf_show(to, " -> ");
     print_found(to, &w->critical[WF_WET]);
@@ -465,7 +497,7 @@ static void print_criterion(FILE *to, const struct wf_analysis *an, const struct
     print_number(to, 8, 2, wf_part_height(&an->tree, w->row, w->place));
     print_number(to, 10, 2, 1e-6 * resistance / w->safety);
     print_number(to, 10, 2, 1e-6 * resistance);
-    fputc('\n', to);
+    wf_show(to, "%s\n", (int)wf_verdict_of(an->breaks).criterion == c ? "  governs" : "");
 }
 
 /* Criteria that apply to the stem and want a value that the species table does not give. */

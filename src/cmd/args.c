@@ -1,80 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reads a command line into an options struct: options and operands as typed, study files, the usage text. */
+/* Reads a command line into an options struct: options and operands as typed, study files. */
 #include "cmd/args.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "base/yaml.h"
 #include "cmd/commands.h"
+#include "cmd/usage.h"
 #include "cmd/wind_speed.h"
 #include <string.h>
 #include <unistd.h>
-
-/* ---- The usage text ---- */
-
-/* One paragraph from column `left` (where the cursor stands) to column 80, broken between words. */
-static void print_paragraph(FILE *to, const char *text, int left)
-{
-    int column = left;
-    while (*text) {
-        int word = (int)strcspn(text, " ");
-        if (column > left && column + 1 + word > 80) {
-            wf_show(to, "\n%*s", left, "");
-            column = left;
-        } else if (column > left) {
-            fputc(' ', to);
-            column++;
-        }
-        wf_show(to, "%.*s", word, text);
-        column += word;
-        text += word;
-        while (*text == ' ') text++;
-    }
-    fputc('\n', to);
-}
-
-static void print_option(FILE *to, const struct wf_option *o)
-{
-    char text[1024] = "";
-    FILE *body = fmemopen(text, sizeof text, "w");
-    if (!body) return;
-    wf_option_text(o, body);
-    fclose(body);
-    int shown = wf_show(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
-                        o->value ? " " : "", o->value ? o->value : "");
-    if (shown > 27) shown = wf_show(to, "\n") - 1;
-    wf_show(to, "%*s", 28 - shown, "");
-    print_paragraph(to, text, 28);
-}
-
-/* Newlines separate paragraphs; a line that starts with a blank is printed unchanged. */
-static void print_about(FILE *to, const char *about)
-{
-    while (*about) {
-        char line[1000];
-        size_t length = strcspn(about, "\n");
-        snprintf(line, sizeof line, "%.*s", (int)length, about);
-        if (line[0] == ' ' || !line[0])
-            wf_show(to, "%s\n", line);
-        else
-            print_paragraph(to, line, 0);
-        about += length + (about[length] == '\n');
-    }
-}
-
-/* The page shown by --help, made from the rows. */
-static void print_usage(FILE *to, const char *command, const struct wf_option *option, const char *about)
-{
-    const struct wf_command *c = wf_commands;
-    while (c->name && strcmp(c->name, command) != 0) c++;
-    wf_show(to, "Usage: windfirm %s %s\n\n", command, c->name ? c->operands : "");
-    if (c->name) print_paragraph(to, c->summary, 0);
-    if (about) {
-        fputc('\n', to);
-        print_about(to, about);
-    }
-    if (option && option->name) wf_show(to, "\nOptions (default in brackets):\n");
-    for (const struct wf_option *o = option; o && o->name; o++) print_option(to, o);
-}
 
 /* ---- Options and operands as typed ---- */
 
@@ -149,6 +83,16 @@ static void refuse_unused(struct wf_reading *r)
     }
 }
 
+static void refuse_wrong(struct wf_reading *r)
+{
+    char why[WF_WHY];
+    for (size_t k = 0; k < r->options; k++) {
+        const struct wf_option *o = &r->args->option[k];
+        if (o->wrong && !r->failed[k] && o->wrong(r->args, o, why))
+            wf_option_mistake(r, r->key[k], o->name, "%s", why);
+    }
+}
+
 /* Defaults of what was not given, then the winds, which depend on other options. Called by the study file's
  * reader while mistakes about keys still know their line, else at the end; a second call does nothing. */
 static void complete(struct wf_reading *r)
@@ -159,6 +103,7 @@ static void complete(struct wf_reading *r)
     for (size_t k = 0; k < r->options; k++)
         if (!out->given[k] && out->option[k].initial) wf_option_take(r, k, out->option[k].initial);
     wf_winds_read(r);
+    refuse_wrong(r);
     if (!r->mistakes) refuse_unused(r);
 }
 
@@ -181,10 +126,11 @@ static const struct taker {
     { "wind", wf_wind_options, "gust", false },         { 0 },
 };
 
-/* The keys a study file may have: those of all commands that take one. */
+/* The keys a study file may have: those of all commands that take one; or a card, those of `assess` alone. */
 struct study_keys {
     struct wf_reading *reading;
     const struct taker *taker;
+    struct taker own[2]; /* of a command that is not in the list; ends at command == NULL */
     const char *file;
     size_t keys;
     struct wf_yaml_row row[KEYS_MAX + 1]; /* ends at key == NULL */
@@ -220,16 +166,13 @@ static const char *key_of(const struct wf_option *o, struct wf_arena *a)
 /* What an option means, with range and default, and which commands have it; for the printed schema. */
 static const char *doc_of(const struct wf_option *o, struct wf_arena *a)
 {
-    char text[1024] = "";
-    FILE *to = fmemopen(text, sizeof text, "w");
-    if (!to) return NULL;
-    wf_option_text(o, to);
-    wf_show(to, " -");
+    char what[WF_OPTION_DOC];
+    wf_option_text(o, what);
+    char *text = wf_arena_print(a, "%s -", what);
     for (const struct taker *c = takers; c->command; c++)
-        for (const struct wf_option *p = c->option; p && p->name; p++)
-            if (!strcmp(p->name, o->name)) wf_show(to, " %s", c->command);
-    fclose(to);
-    return wf_arena_text(a, text);
+        for (const struct wf_option *p = c->option; text && p && p->name; p++)
+            if (!strcmp(p->name, o->name)) text = wf_arena_print(a, "%s %s", text, c->command);
+    return text;
 }
 
 static bool fill_keys(struct study_keys *b, struct wf_arena *a)
@@ -251,8 +194,8 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
           .doc = "gust model, a name from 'windfirm wind list' - series wind",
           .example = "kaimal" },
     };
-    for (size_t i = 0; i < sizeof first / sizeof *first; i++) add_key(b, first[i]);
-    for (const struct taker *c = takers; c->command; c++)
+    for (size_t i = 0; i < sizeof first / sizeof *first && b->taker != b->own; i++) add_key(b, first[i]);
+    for (const struct taker *c = b->taker == b->own ? b->own : takers; c->command; c++)
         for (const struct wf_option *o = c->option; o->name; o++) {
             const char *key = key_of(o, a), *doc = b->reading ? o->help : doc_of(o, a);
             if (!key || !doc) return false;
@@ -326,10 +269,13 @@ static struct study_keys *open_study_keys(struct wf_reading *r, struct wf_arena 
     struct study_keys *b = WF_TAKE(a, 1, struct study_keys);
     if (!b) return NULL;
     b->reading = r;
-    if (!fill_keys(b, a)) return NULL;
     b->taker = takers;
     while (r && b->taker->command && strcmp(b->taker->command, r->command) != 0) b->taker++;
-    return b;
+    if (!b->taker->command) {
+        b->own[0] = (struct taker){ .command = r->command, .option = r->args->option };
+        b->taker = b->own;
+    }
+    return fill_keys(b, a) ? b : NULL;
 }
 
 static const struct wf_yaml_table study_table = {
@@ -350,7 +296,8 @@ static const char *study_named(struct wf_reading *r)
     size_t k = 0;
     while (k < r->options && out->option[k].kind != WF_OPTION_STUDY) k++;
     if (k == r->options) return NULL;
-    if (!out->study && out->n == 1 && wf_begins_with_key(out->operand[0], "study:", r->arena)) {
+    const char *first = strcmp(r->command, "assess") ? "study:" : "card:";
+    if (!out->study && out->n == 1 && wf_begins_with_key(out->operand[0], first, r->arena)) {
         out->study = out->operand[0];
         out->given[k] = true;
         out->n = 0;
@@ -383,13 +330,14 @@ static void read_study(struct wf_reading *r)
     if (!s && !r->args->quiet) warn_of_unused(b);
 }
 
-char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e)
+const struct wf_yaml_table *wf_args_study_table(struct wf_arena *a)
 {
-    struct wf_yaml_table table = study_table;
-    struct study_keys *b = open_study_keys(NULL, a);
-    if (!b) return (void)wf_fail(e, WF_ENOMEM, "not enough memory for the keys of a study"), NULL;
-    table.row = b->row;
-    return wf_yaml_schema(&table, a, e);
+    struct wf_yaml_table *table = WF_TAKE(a, 1, struct wf_yaml_table);
+    struct study_keys *b = table ? open_study_keys(NULL, a) : NULL;
+    if (!b) return NULL;
+    *table = study_table;
+    table->row = b->row;
+    return table;
 }
 
 /* ---- Command lines ---- */
@@ -405,8 +353,9 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     wf_option_clear(&r);
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--") == 0) break;
-        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            print_usage(stdout, argv[0], rows, about);
+        const struct wf_usage_form *form = wf_usage_form(argv[i]);
+        if (form) {
+            form->print(stdout, argv[0], rows, about);
             return 0;
         }
     }
@@ -427,6 +376,10 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     check_operands(&r, low, high);
     complete(&r);
     wf_units_close(r.units);
+    if ((out->text = WF_TAKE(a, r.options + 1, const char *)))
+        memcpy(out->text, r.text, r.options * sizeof *r.text);
+    r.no_memory = r.no_memory || !out->text;
+    if (!out->text) wf_option_mistake(&r, NULL, "", "out of memory");
     if (!r.mistakes) {
         if (out->winds_said && !out->quiet) wf_show(stderr, "%s\n", out->winds_said);
         wf_progress_start(out->quiet);
@@ -435,4 +388,29 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     if (r.no_memory) return wf_exit_code(WF_ENOMEM);
     wf_show(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
+}
+
+bool wf_args_read_cells(const struct wf_args *line, const char *command, const size_t *option,
+                        const char *const *cell, size_t n, struct wf_units *units, struct wf_arena *a,
+                        struct wf_args *out, struct wf_sink *sink)
+{
+    struct wf_reading r = { .args = out, .arena = a, .command = command, .units = units, .sink = sink };
+    *sink = (struct wf_sink){ 0 };
+    *out = (struct wf_args){ .option = line->option, .quiet = true };
+    while (line->option[r.options].name) r.options++;
+    wf_option_clear(&r);
+    for (size_t i = 0; i < n; i++) {
+        if (!*cell[i]) continue;
+        if (out->given[option[i]])
+            wf_option_mistake(&r, NULL, line->option[option[i]].name, "has two columns");
+        out->given[option[i]] = true;
+        wf_option_take(&r, option[i], cell[i]);
+    }
+    for (size_t k = 0; k < r.options; k++)
+        if (!out->given[k] && line->given[k]) {
+            out->given[k] = true;
+            wf_option_take(&r, k, line->text[k]);
+        }
+    complete(&r);
+    return !r.mistakes;
 }

@@ -15,6 +15,7 @@
 #include "study/peak.h"
 #include "study/preset.h"
 #include "study/sway.h"
+#include "study/verdict.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -112,7 +113,7 @@ static enum wf_status print_peak(const struct wf_analysis *of, const struct wf_s
                             p.gust.resonance,
                             at.steady.base_moment / 1e3,
                             at.base_moment / 1e3,
-                            at.worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
+                            fmin(at.worst[WF_BREAKAGE][WF_SCOPE_TREE].safety, wf_verdict_safety(&at, NULL)) };
     for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) (void)print_ratio(cell[k]);
     wf_show(stdout, "\n");
     return WF_OK;

@@ -72,6 +72,7 @@ static enum wf_status read_inputs(const struct fragility_options *o, struct wf_s
     wf_scenario_default(scenario);
     scenario->azimuth = o->azimuth;
     scenario->winds_said = o->args.winds_said;
+    scenario->wind_notes = o->args.wind_notes;
     enum wf_status s = wf_species_named(o->args.operand[0], a, sp, d, e);
     enum wf_status t = wf_tree_asked_read(&o->tree, NULL, a, m, &path, d, e);
     if (!s) s = t;

@@ -147,6 +147,7 @@ static enum wf_status read_inputs(const struct modes_options *o, struct wf_speci
     wf_scenario_default(scenario);
     scenario->azimuth = o->azimuth;
     scenario->winds_said = o->args.winds_said;
+    scenario->wind_notes = o->args.wind_notes;
     scenario->water = wf_water_asked_film(&o->water);
     scenario->peak.damping = o->damping;
     enum wf_status s = wf_species_named(o->args.operand[0], a, sp, d, e);

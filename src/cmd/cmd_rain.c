@@ -315,6 +315,12 @@ static enum wf_status take_points(const struct rain_options *o, struct wf_rain_s
     for (size_t i = 0; i < p->n; i++)
         if (p->at[3 * i] < base[0]) memcpy(base, p->at + 3 * i, sizeof base);
     if ((status = wf_kmeans(p, o->clusters, o->seed, base, a, c, e))) return status;
+    if (c->moving)
+        wf_diag_warn(d, "clusters-unsettled",
+                     "%s: %zu of %zu points still changed their cluster in the last round; the nodes are not "
+                     "final: fewer "
+                     "clusters, or another --seed",
+                     o->points, c->moving, p->n);
     double *nodes = WF_TAKE(a, 3 * c->n, double);
     if (!nodes) return wf_fail(e, WF_ENOMEM, "no memory");
     for (size_t i = 0; i < 3 * c->n; i++)

@@ -6,6 +6,7 @@
 #include "cmd/option_groups.h"
 #include "out/printer.h"
 #include "out/run_folder.h"
+#include "out/workbook.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -16,10 +17,7 @@ struct report_options {
 
 #define OPTIONS struct report_options
 static const struct wf_option options[] = {
-    WF_NO_PDF_ROW(pages),
-    WF_LANGUAGE_ROW(pages.lang),
-    WF_QUIET_ROW,
-    { 0 },
+    WF_NO_PDF_ROW(pages), WF_XLSX_ROW(pages), WF_LANGUAGE_ROW(pages.lang), WF_QUIET_ROW, { 0 },
 };
 
 /* Was the error printed among the findings? */
@@ -36,6 +34,8 @@ static enum wf_status draw_again(struct wf_run_folder *r, const struct wf_pages 
                                  struct wf_printer *printer, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_err other = { 0 };
+    enum wf_status w = pages->xlsx ? wf_workbook_make(r->stage, d, e) : WF_OK;
+    if (w) return wf_run_abandon(r), w;
     enum wf_status s = wf_results_draw(r, pages, printer, d, e);
     bool made = s == WF_OK || s == WF_EMISSING || s == WF_EOUTPUT, drawn = false;
     for (const struct wf_finding *f = d->first; f; f = f->next) drawn |= f->text && !strcmp(f->text, e->text);

@@ -121,7 +121,8 @@ static const char about[] =
     "  MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
     "frequency,\n"
     "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) or makes it from a station's record, and "
-    "draws it.\n"
+    "draws it;\n"
+    "  `windfirm wind extremes` says how often a wind is exceeded (`windfirm wind extremes --help`).\n"
     "\n"
     "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
     "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms\n"
@@ -350,7 +351,9 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     bool plots = !o->pages.none && !s && r->stats[0].high > r->stats[0].low;
     if (!s && !o->pages.none && !plots)
         wf_diag_warn(d, "wind-constant", "the wind does not change: no spectrum and no gust to draw");
-    if (!s) s = wf_results_end(&f, plots ? &o->pages : NULL, a, NULL, e);
+    struct wf_pages pages = o->pages;
+    pages.none = !plots;
+    if (!s) s = wf_results_end(&f, &pages, a, NULL, e);
     wf_run_abandon(&f);
     if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;
@@ -528,6 +531,8 @@ int wf_cmd_wind(int argc, char **argv)
     struct wf_arena arena = { 0 };
     struct wind_options o = { 0 };
     struct wf_err e = { 0 };
+    for (int i = 1; i < argc; i++)
+        if (!strcmp(argv[i], "extremes")) return wf_wind_extremes(argc, argv);
     int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && strcmp(o.args.operand[0], "list") == 0) code = list_models();
     struct wf_doc_head head;

@@ -9,6 +9,7 @@
 #include "out/printer.h"
 #include "out/report.h"
 #include "out/results.h"
+#include "out/workbook.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +21,9 @@ const struct wf_command wf_commands[] = {
       "What the wind does to one species on one tree model: loads, bending, stress, safety, critical wind "
       "speed.",
       wf_cmd_analyze },
+    { "assess", "[CARD | TABLE] [option...]",
+      "One tree as it is measured with a tape: is it safe enough in a given wind, and how sure is that?",
+      wf_cmd_assess },
     { "compare", "SPECIES SPECIES... --model MODEL --wind SPEEDS [option...]",
       "The same for several species on the same tree model, side by side.", wf_cmd_compare },
     { "fit", "STUDY [--data FILE] [--free NAMES] [option...]",
@@ -33,6 +37,8 @@ const struct wf_command wf_commands[] = {
     { "import", "FILE... [-o FILE] [option...]",
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },
+    { "init", "KIND NAME [-o FILE]",
+      "Begin a species table, a model or a study: a commented file with the keys that matter.", wf_cmd_init },
     { "modes", "SPECIES --model MODEL | --tree FILE [option...]",
       "Natural frequencies of a tree in still air and in wind: how it moves in each, and its damping.",
       wf_cmd_modes },
@@ -44,7 +50,7 @@ const struct wf_command wf_commands[] = {
       wf_cmd_rain },
     { "report", "FOLDER... [option...]",
       "Draw plots and pages again from the results.json and tables of earlier runs.", wf_cmd_report },
-    { "schema", "species|model|fit|study",
+    { "schema", "species|model|fit|study [--json-schema]",
       "Every key of a species table, a tree model, a calibration study or a file of options, with range and "
       "default.",
       wf_cmd_schema },
@@ -66,7 +72,7 @@ const struct wf_command wf_commands[] = {
       wf_cmd_tree },
     { "validate", "[PATH...] [option...]", "Run validation cases and compare with their sources.",
       wf_cmd_validate },
-    { "wind", "MODEL | list | rose [option...]",
+    { "wind", "MODEL | list | rose | extremes [option...]",
       "A gusty wind by one of the gust models, compared with what was specified, written and drawn.",
       wf_cmd_wind },
     { 0 },
@@ -260,6 +266,7 @@ enum wf_status wf_results_end(struct wf_run_folder *r, const struct wf_pages *pa
     bool drawing = pages && !pages->none;
     enum wf_status drawn = WF_OK;
     enum wf_status s = wf_interrupted() ? wf_run_mark(r, "interrupted", e) : WF_OK;
+    if (!s && pages && pages->xlsx) s = wf_workbook_make(r->stage, &d, e);
     if (!s && drawing) drawn = wf_results_draw(r, pages, &printer, &d, &why);
     wf_printer_close(&printer);
     wf_print_findings(&d, false);

@@ -20,11 +20,13 @@ struct wf_command {
 extern const struct wf_command wf_commands[]; /* ends at name == NULL */
 
 int wf_cmd_analyze(int argc, char **argv);
+int wf_cmd_assess(int argc, char **argv);
 int wf_cmd_compare(int argc, char **argv);
 int wf_cmd_fit(int argc, char **argv);
 int wf_cmd_explain(int argc, char **argv);
 int wf_cmd_fragility(int argc, char **argv);
 int wf_cmd_import(int argc, char **argv);
+int wf_cmd_init(int argc, char **argv);
 int wf_cmd_modes(int argc, char **argv);
 int wf_cmd_papers(int argc, char **argv);
 int wf_cmd_rain(int argc, char **argv);
@@ -38,6 +40,7 @@ int wf_cmd_tree(int argc, char **argv);
 int wf_cmd_terrain(int argc, char **argv);
 int wf_cmd_validate(int argc, char **argv);
 int wf_cmd_wind(int argc, char **argv);
+int wf_wind_extremes(int argc, char **argv); /* windfirm wind extremes */
 /* `windfirm papers yang2011`, whose runs are no trees in wind. */
 int wf_paper_yang2011(int argc, char **argv);
 
@@ -81,6 +84,7 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 struct wf_pages {
     const char *lang; /* "en" or "zh"                                                  */
     bool none;        /* neither is made                                               */
+    bool xlsx;        /* tables also as a workbook                                     */
     bool no_pdf;      /* the page is made for the screen alone; it can be printed later */
 };
 

@@ -71,8 +71,6 @@ int wf_show(FILE *to, const char *fmt, ...)
     return n;
 }
 
-enum { CHOICES_MAX = 32 };
-
 bool wf_option_given(const struct wf_args *args, size_t member)
 {
     size_t k = 0;
@@ -91,6 +89,15 @@ bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...
     return true;
 }
 
+/* Add a mistake to the text, as far as there is room. */
+static void sink_add(struct wf_sink *s, const char *name, const char *text)
+{
+    size_t used = strlen(s->text);
+    name += strspn(name, "-"); /* a cell is no option */
+    snprintf(s->text + used, sizeof s->text - used, "%s%s%s%s", s->n++ ? "; " : "", name, *name ? ": " : "",
+             text);
+}
+
 void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, const char *fmt, ...)
 {
     va_list list;
@@ -100,6 +107,8 @@ void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, 
     va_end(list);
     if (key && r->yaml)
         wf_yaml_error(r->yaml, key, "%s", text);
+    else if (r->sink)
+        sink_add(r->sink, name, text);
     else
         wf_show(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
     r->mistakes++;
@@ -184,15 +193,15 @@ bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const 
 }
 
 /* The words that a choice may be. Returned: how many; `list` holds them where they come from `choices`. */
-static size_t choice_words(const struct wf_option *o, const char *word[static CHOICES_MAX], char *list,
-                           size_t size)
+size_t wf_option_choices(const struct wf_option *o, const char *word[static WF_OPTION_CHOICES], char *list,
+                         size_t size)
 {
     size_t n = 0;
     char *rest = NULL;
-    for (; o->word && n < CHOICES_MAX && o->word(n); n++) word[n] = o->word(n);
+    for (; o->word && n < WF_OPTION_CHOICES && o->word(n); n++) word[n] = o->word(n);
     if (o->word) return n;
     snprintf(list, size, "%s", o->choices);
-    for (char *w = strtok_r(list, "|", &rest); w && n < CHOICES_MAX; w = strtok_r(NULL, "|", &rest))
+    for (char *w = strtok_r(list, "|", &rest); w && n < WF_OPTION_CHOICES; w = strtok_r(NULL, "|", &rest))
         word[n++] = w;
     return n;
 }
@@ -200,9 +209,9 @@ static size_t choice_words(const struct wf_option *o, const char *word[static CH
 static void check_choice(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->args->option[k];
-    const char *word[CHOICES_MAX];
+    const char *word[WF_OPTION_CHOICES];
     char list[512];
-    size_t n = choice_words(o, word, list, sizeof list);
+    size_t n = wf_option_choices(o, word, list, sizeof list);
     for (size_t i = 0; i < n; i++)
         if (strcmp(text, word[i]) == 0) return;
     char all[768] = "";
@@ -254,6 +263,7 @@ static void take_whole(struct wf_reading *r, size_t k, const char *text)
 void wf_option_take(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->args->option[k];
+    const size_t before = r->mistakes;
     r->text[k] = text;
     switch (o->kind) {
     case WF_OPTION_FLAG:
@@ -279,15 +289,19 @@ void wf_option_take(struct wf_reading *r, size_t k, const char *text)
     case WF_OPTION_SPEEDS:
         break;
     }
+    r->failed[k] = r->mistakes > before;
 }
 
-void wf_option_text(const struct wf_option *o, FILE *to)
+void wf_option_text(const struct wf_option *o, char text[static WF_OPTION_DOC])
 {
-    const char *unit = o->unit ? o->unit : "", *word[CHOICES_MAX];
+    *text = '\0';
+    FILE *to = fmemopen(text, WF_OPTION_DOC, "w");
+    if (!to) return;
+    const char *unit = o->unit ? o->unit : "", *word[WF_OPTION_CHOICES];
     char list[512];
     wf_show(to, "%s", o->help);
     if (o->kind == WF_OPTION_CHOICE) {
-        size_t n = choice_words(o, word, list, sizeof list);
+        size_t n = wf_option_choices(o, word, list, sizeof list);
         for (size_t i = 0; i < n; i++) wf_show(to, "%s%s", i ? ", " : ": ", word[i]);
     }
     bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
@@ -297,4 +311,5 @@ void wf_option_text(const struct wf_option *o, FILE *to)
     if (o->initial)
         wf_show(to, " [%s%s%s]", o->initial, o->kind != WF_OPTION_CHOICE && *unit ? " " : "",
                 o->kind != WF_OPTION_CHOICE ? unit : "");
+    fclose(to);
 }

@@ -51,6 +51,9 @@ struct wf_option {
     /* Whether the option has no effect with the others as they are; asked when it is given and all are read.
      * Returned in `why`: the words behind "has no effect". NULL: it always has one. */
     bool (*unused)(const void *options, const struct wf_option *o, char *why);
+    /* Whether its value is missing or contradicts the others; asked of every row when all are read. Returned
+     * in `why`: the words behind the option's name. NULL: never. */
+    bool (*wrong)(const void *options, const struct wf_option *o, char *why);
     const char *help;
 };
 
@@ -65,9 +68,11 @@ struct wf_args {
     const struct wf_option *option; /* rows, end at name == NULL                                            */
     size_t n;                       /* operands                                                             */
     const char **operand;
-    bool quiet;                 /* row QUIET                                                            */
-    const char *study;          /* row STUDY: name of the study file; NULL: none                        */
-    const char *winds_said;     /* how winds were converted to 10-min means; NULL: nothing was converted */
+    bool quiet;             /* row QUIET                                                            */
+    const char *study;      /* row STUDY: name of the study file; NULL: none                        */
+    const char *winds_said; /* how winds were converted to 10-min means; NULL: nothing was converted */
+    struct wf_wind_note *wind_notes; /* the same by parts (load/scene.h); NULL: none */
+    const char **text;          /* by row: as typed, in the study file or the default; NULL: none        */
     bool given[WF_OPTIONS_MAX]; /* by row: typed or in the study file; ask with WF_GIVEN                */
 };
 
@@ -119,8 +124,19 @@ bool wf_option_given(const struct wf_args *args, size_t member);
            "precedence",                                                                                     \
            .value = "FILE")
 
-/* Help, allowed values and default of an option as one paragraph. */
-void wf_option_text(const struct wf_option *o, FILE *to);
+/* Help, allowed values and default of an option as one paragraph; empty without memory. */
+enum { WF_OPTION_DOC = 1024 };
+void wf_option_text(const struct wf_option *o, char text[static WF_OPTION_DOC]);
+/* The words that a choice may be. Returned: how many; `list` holds those of `choices`. */
+enum { WF_OPTION_CHOICES = 32 };
+size_t wf_option_choices(const struct wf_option *o, const char *word[static WF_OPTION_CHOICES], char *list,
+                         size_t size);
+
+/* Mistakes as one text, separated by semicolons and cut where it is full. */
+struct wf_sink {
+    size_t n;
+    char text[600];
+};
 
 /* One command line being read, with its study file. Every mistake is reported where it is found and counted;
  * reading goes on, so that all are reported at once. */
@@ -134,6 +150,8 @@ struct wf_reading {
     struct wf_yaml *yaml;             /* the study file while it is open; else NULL                        */
     const char *text[WF_OPTIONS_MAX]; /* by row: as typed, else as in the study file, else the default     */
     const char *key[WF_OPTIONS_MAX];  /* by row: key of the study file that gave the text; NULL: no key    */
+    bool failed[WF_OPTIONS_MAX];      /* by row: its text was a mistake                                    */
+    struct wf_sink *sink;             /* takes the mistakes; NULL: they are printed                        */
     bool complete;
     bool no_memory; /* it ended while an option was read: no mistake of the user */
 };

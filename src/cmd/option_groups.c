@@ -124,6 +124,8 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
                                   struct wf_diag *d, struct wf_scenario *out, struct wf_err *e)
 {
     struct wf_peak_table *table = NULL;
+    const struct wf_site_kind *kind = wf_site_kind_named(out->site_kind);
+    double edge = kind && kind->edge ? 0.0 : INFINITY;
     enum wf_status s = WF_OK;
     if (asked->table && !(table = WF_TAKE(a, 1, struct wf_peak_table)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
@@ -139,9 +141,15 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
         .table = table,
         .stand = { .height = given_or(asked->stand_height, 0.0),
                    .spacing = given_or(asked->spacing, 0.0),
-                   .edge = given_or(asked->edge, INFINITY),
+                   .edge = given_or(asked->edge, edge),
                    .gap = given_or(asked->gap, INFINITY) },
     };
+    if (!s && !isnan(asked->spacing) && strcmp(out->peak.method, "gales") != 0)
+        return wf_fail(
+            e, WF_EUSAGE,
+            "--spacing has no effect with --peak %s; it is of --peak gales, which is taken with --site "
+            "in-stand and forest-edge unless a method, a design wind or a preset says otherwise",
+            out->peak.method);
     return s;
 }
 
@@ -279,25 +287,12 @@ static enum wf_status take_hollow(const struct wf_tree_asked *t, struct wf_arena
     return t->cavities ? wf_cavities_asked(t->cavities, a, &out->cavity, &out->cavities, d, e) : WF_OK;
 }
 
-enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
-                                  struct wf_model *out, const char **path, struct wf_diag *d,
-                                  struct wf_err *e)
+enum wf_status wf_tree_asked_onto(const struct wf_tree_asked *t, bool imported, struct wf_arena *a,
+                                  struct wf_model *out, struct wf_diag *d, struct wf_err *e)
 {
-    const char *tree = file ? file : t->file;
-    enum wf_status s;
-    if (tree) {
-        *path = tree;
-        struct wf_model *scan = NULL;
-        struct wf_import_options o = scan_options(&t->scan);
-        if (!(s = wf_model_imported(tree, t->joint, &o, a, &scan, d, e))) *out = *scan;
-    } else {
-        s = wf_shipped("models", t->model, a, path, d, e);
-        if (!s) s = wf_model_read(*path, a, out, d, e);
-    }
-    if (s) return s;
     double area = t->leaf_area;
     if (!isnan(area)) {
-        if (!tree && !(out->leaf_area_on > 0) && area > 0)
+        if (!imported && !(out->leaf_area_on > 0) && area > 0)
             return wf_fail(e, WF_EUSAGE, "--leaf-area: the model %s does not say where its leaves are",
                            out->key);
         out->leaf_area_on = area;
@@ -313,6 +308,24 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
         return wf_fail(e, WF_EUSAGE, "give one of --rest and --unload: --unload takes the stress-free shape");
     if (t->unload) out->shape = WF_SHAPE_UNLOADED;
     out->stands_strictly = t->strict;
-    s = take_hollow(t, a, out, d, e);
+    enum wf_status s = take_hollow(t, a, out, d, e);
     return s ? s : take_crown(t, a, &out->silhouette, d, e);
+}
+
+enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
+                                  struct wf_model *out, const char **path, struct wf_diag *d,
+                                  struct wf_err *e)
+{
+    const char *tree = file ? file : t->file;
+    enum wf_status s;
+    if (tree) {
+        *path = tree;
+        struct wf_model *scan = NULL;
+        struct wf_import_options o = scan_options(&t->scan);
+        if (!(s = wf_model_imported(tree, t->joint, &o, a, &scan, d, e))) *out = *scan;
+    } else {
+        s = wf_shipped("models", t->model, a, path, d, e);
+        if (!s) s = wf_model_read(*path, a, out, d, e);
+    }
+    return s ? s : wf_tree_asked_onto(t, tree != NULL, a, out, d, e);
 }

@@ -34,7 +34,9 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 #define WF_NO_PDF_ROW(in)                                                                                    \
     FLAG("--no-pdf", in.no_pdf, "leave out the PDF of the page; 'windfirm report' prints it later",          \
          .group = WF_MEMBER(in, struct wf_pages), .unused = wf_pages_row_unused)
-#define WF_PAGE_ROWS(no, in, help) FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_LANGUAGE_ROW(in.lang)
+#define WF_XLSX_ROW(in) FLAG("--xlsx", in.xlsx, "write the tables also as one workbook, tables/tables.xlsx")
+#define WF_PAGE_ROWS(no, in, help)                                                                           \
+    FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_XLSX_ROW(in), WF_LANGUAGE_ROW(in.lang)
 
 #define WF_AZIMUTH_ROW(m)                                                                                    \
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
@@ -141,8 +143,8 @@ bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *wh
         NUMBER("--stand-height", in.stand_height, "LENGTH", LENGTH, "m", 1, 120, NULL,                       \
                "height of the stand [that of the tree]; of --peak gales", WF_OF_PEAK(in)),                   \
         NUMBER("--edge-distance", in.edge, "LENGTH", LENGTH, "m", 0, 1e5, NULL,                              \
-               "distance of the tree from the upwind edge of the stand [9 heights: well inside]; of --peak " \
-               "gales",                                                                                      \
+               "distance of the tree from the upwind edge of the stand [9 heights: well inside; 0 with "     \
+               "--site forest-edge]; of --peak gales",                                                       \
                WF_OF_PEAK(in)),                                                                              \
         NUMBER("--gap", in.gap, "LENGTH", LENGTH, "m", 0, 1e5, NULL,                                         \
                "length of the open ground before that edge [10 heights]; of --peak gales", WF_OF_PEAK(in))
@@ -354,6 +356,10 @@ enum wf_joint wf_joint_named(const char *word);
 /* Is exactly one tree specified? Returned: -1 to go on, 2 after saying what is missing. `file`: a tree file
  * given otherwise than by --tree; NULL: none. */
 int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, const char *file);
+/* Put what is specified beside the tree itself on a model: season, state at rest, bark, cavities, crown.
+ * `imported`: it is a measured tree. Errors: as below. */
+enum wf_status wf_tree_asked_onto(const struct wf_tree_asked *t, bool imported, struct wf_arena *a,
+                                  struct wf_model *out, struct wf_diag *d, struct wf_err *e);
 /* Read the specified tree, or `file`, in the specified season. Returned: *out; *path, the file it was read
  * from. Errors: mistakes of a file are findings in `d`; any other error is in `e`. */
 enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,

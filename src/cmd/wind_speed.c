@@ -19,7 +19,8 @@ bool wf_averaging_row_unused(const void *options, const struct wf_option *o, cha
 {
     const struct wf_averaging *g = (const void *)((const char *)options + o->group);
     if (o->member - o->group == offsetof(struct wf_averaging, time))
-        return wf_option_unused(!g->time_used, why, "on grades of a scale, which have their own");
+        return wf_option_unused(!g->time_used, why,
+                                "on grades of a scale and design winds, which have their own");
     return wf_option_unused(!g->law_used && !g->climate, why, "where the winds are 10-min means already");
 }
 
@@ -31,9 +32,12 @@ struct winds {
     struct wf_averaging *beside;
     const char *law; /* specified; NULL: durst, or that of a scale    */
     double time;     /* plain speeds are averaged over [s]            */
+    bool worded;     /* by a word before them                         */
     double share;    /* 10-min mean over a plain speed as typed       */
     size_t n;
     double *speed;                       /* SPEEDS_MAX + 1 [m/s] */
+    size_t plain;                        /* of these, without grades */
+    double *typed;                       /* as typed [m/s] */
     const struct wf_profile_words *site; /* NULL: the command has none */
     struct wf_wind_place at;             /* where the winds are measured */
 };
@@ -52,6 +56,24 @@ __attribute__((format(printf, 2, 3))) static void say(struct winds *w, const cha
         wf_arena_print(w->r->arena, "%s%s%s", before ? before : "", before ? "; " : "", line);
 }
 
+/* With that many decimals, or as many digits as it has. */
+static const char *number_text(const struct winds *w, double x, int decimals)
+{
+    return decimals < 0 ? wf_arena_print(w->r->arena, "%.4g", x)
+                        : wf_arena_print(w->r->arena, "%.*f", decimals, x);
+}
+
+/* The same by parts. Given: parts, NULL after the last. */
+static void note(struct winds *w, const char *kind, const char *const *part)
+{
+    struct wf_wind_note **end = &w->r->args->wind_notes, *made = WF_TAKE(w->r->arena, 1, struct wf_wind_note);
+    if (!made) return;
+    *made = (struct wf_wind_note){ .kind = kind };
+    for (size_t k = 0; k < WF_WIND_PARTS && part[k]; k++) made->part[k] = part[k];
+    while (*end) end = (struct wf_wind_note **)&(*end)->next;
+    *end = made;
+}
+
 static const char *source_of(const char *law)
 {
     const struct wf_averaging_law *l = wf_averaging_laws;
@@ -66,6 +88,11 @@ static const struct wf_wind_scale *read_grade(struct winds *w, const char *text)
     struct wf_err e = { 0 };
     double *speed = &w->speed[w->n++];
     char range[48];
+    if (w->worded) {
+        winds_mistake(w, "'%.60s': a grade has its averaging time; write it without the word before the list",
+                      text);
+        return NULL;
+    }
     if (wf_wind_scale_parse(text, &g, &e)) {
         winds_mistake(w, "%s", e.text);
         return NULL;
@@ -87,6 +114,10 @@ static const struct wf_wind_scale *read_grade(struct winds *w, const char *text)
             source_of(law));
     else
         say(w, "taken as %.1f m/s", *speed);
+    note(w, "grade",
+         (const char *[]){ text, g.grade->text, number_text(w, g.grade->low, 1),
+                           isfinite(g.grade->high) ? number_text(w, g.grade->high, 1) : "",
+                           number_text(w, g.scale->averaging / 60.0, -1), number_text(w, *speed, 1), NULL });
     return g.scale;
 }
 
@@ -157,6 +188,7 @@ static double read_speed(struct winds *w, char *item, const char *unit)
         read_range(w, item, unit);
     else if (wf_option_quantity(w->r, w->k, item, unit, w->o->low, &w->speed[w->n]))
         w->speed[w->n++] *= w->share;
+    for (size_t k = from; k < w->n; k++) w->typed[w->plain++] = w->speed[k] / w->share;
     w->beside->time_used = true;
     w->beside->law_used |= w->time != WF_MEAN_TIME;
     return w->n > from ? w->speed[from] : (double)NAN;
@@ -234,19 +266,23 @@ static void take_time(struct winds *w, const char **text)
         if (strncmp(*text, times[i].word, n) != 0) continue;
         if (w->beside->time != WF_MEAN_TIME)
             winds_mistake(w, "'%.100s': the averaging time is given twice (--averaging-time)", *text);
+        if (w->worded) winds_mistake(w, "'%.100s': one word of an averaging time is taken", *text);
         w->time = times[i].time;
+        w->worded = true;
         *text += n;
     }
 }
 
-/* "30, 36 m/s", or "5 to 40 m/s" where there are many. Given: what the speeds are multiplied by. */
+/* The plain speeds: "30, 36 m/s", or "5 to 40 m/s" where there are many. Given: what they are multiplied by.
+ */
 static const char *list_text(const struct winds *w, double share)
 {
     enum { SHOWN = 8 };
-    const char *text = w->n ? wf_arena_print(w->r->arena, "%.4g", share * w->speed[0]) : "";
-    if (w->n > SHOWN) return wf_arena_print(w->r->arena, "%s to %.4g m/s", text, share * w->speed[w->n - 1]);
-    for (size_t k = 1; k < w->n && text; k++)
-        text = wf_arena_print(w->r->arena, "%s, %.4g", text, share * w->speed[k]);
+    const size_t n = w->plain;
+    const char *text = n ? wf_arena_print(w->r->arena, "%.4g", share * w->typed[0]) : "";
+    if (n > SHOWN) return wf_arena_print(w->r->arena, "%s to %.4g m/s", text, share * w->typed[n - 1]);
+    for (size_t k = 1; k < n && text; k++)
+        text = wf_arena_print(w->r->arena, "%s, %.4g", text, share * w->typed[k]);
     return text ? wf_arena_print(w->r->arena, "%s m/s", text) : NULL;
 }
 
@@ -255,7 +291,7 @@ static void say_typed(struct winds *w)
 {
     char what[64], by[512];
     const char *law = w->law ? w->law : wf_averaging_usual(w->time);
-    const char *typed = list_text(w, 1.0 / w->share), *means = list_text(w, 1.0);
+    const char *typed = list_text(w, 1.0), *means = list_text(w, w->share);
     snprintf(what, sizeof what, "means over %g s", w->time);
     for (size_t i = 0; i < WF_COUNT(times); i++)
         if (times[i].time == w->time) snprintf(what, sizeof what, "%s", times[i].plural);
@@ -268,6 +304,11 @@ static void say_typed(struct winds *w)
         w->time < WF_MEAN_TIME ? "10-min mean in which they are the strongest"
                                : "strongest 10-min mean within that time",
         by);
+    bool factor = !w->law && w->time == WF_GUST_TIME && w->site && w->site->gust_factor > 0.0;
+    note(w, "typed",
+         (const char *[]){ number_text(w, w->time, -1), typed, number_text(w, w->at.height, -1),
+                           w->at.terrain->name, means, number_text(w, w->share, -1), factor ? "given" : law,
+                           NULL });
 }
 
 /* 10-min mean over a plain speed. */
@@ -301,6 +342,21 @@ static void read_speeds(struct winds *w, const char *whole, const char *text)
         read_list(w, copy, unit, whole);
 }
 
+/* What the basic wind is: as the code says, or once in the years that were specified. */
+static void design_words(const struct wf_design_words *words, const struct wf_design_wind *found, char *out,
+                         size_t size)
+{
+    if (isnan(words->years))
+        snprintf(out, size, "%s", found->code->basic);
+    else if (words->region)
+        snprintf(out, size, "regional gust at 10 m over TC2 of region %.20s, once in %.6g years",
+                 words->region, words->years);
+    else
+        snprintf(out, size, "once in %.6g years; from %.4g m/s, %s", words->years,
+                 isnan(words->basic) ? sqrt(2.0 * words->pressure / found->code->air) : words->basic,
+                 found->code->basic);
+}
+
 /* The wind of a design code, which stands for the winds that are not typed. */
 static void take_design(struct winds *w)
 {
@@ -316,14 +372,21 @@ static void take_design(struct winds *w)
     } else if (wf_design_find(&words, &found, &e)) {
         wf_option_mistake(w->r, w->r->key[k], "--design", "%s", e.text);
     } else {
+        char rare[256];
+        design_words(&words, &found, rare, sizeof rare);
         w->speed[w->n++] = found.open;
         say(w,
             "design wind of %s: basic wind %.4g m/s (%s); terrain %s%s: 10-min mean %.4g m/s and gust %.4g "
             "m/s "
             "at %s (10-min mean in open country: %.4g m/s; %s)",
-            found.code->title, found.basic, found.code->basic, found.terrain->name,
+            found.code->title, found.basic, rare, found.terrain->name,
             words.terrain || !found.code->terrain[1].name ? "" : " (assumed)", found.mean, found.gust,
             strcmp(found.code->name, "arborist") ? "10 m" : "the tree", found.open, found.code->source);
+        note(w, "design",
+             (const char *[]){ found.code->name, number_text(w, found.basic, -1), found.terrain->name,
+                               number_text(w, found.mean, -1), number_text(w, found.gust, -1),
+                               number_text(w, found.open, -1),
+                               isnan(words.years) ? NULL : number_text(w, words.years, -1), NULL });
     }
 }
 
@@ -331,7 +394,9 @@ static void read_wind(struct winds *w, const char *whole)
 {
     const char *text = whole;
     void *member = wf_option_member(w->r, w->k);
-    if (!(w->speed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double))) {
+    w->speed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double);
+    w->typed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double);
+    if (!w->speed || !w->typed) {
         winds_mistake(w, "out of memory");
         return;
     }

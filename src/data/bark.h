@@ -15,12 +15,13 @@ enum wf_bark_kind {
     WF_BARK_BY_TREE, /* nothing is said: by species on a measured tree, else none */
     WF_BARK_NONE,
     WF_BARK_SPECIES,
-    WF_BARK_MEASURED
+    WF_BARK_MEASURED,
+    WF_BARK_ASSUMED /* by the program, of a species of which nothing is known */
 };
 /* What is said of a tree's bark. */
 struct wf_bark_said {
     enum wf_bark_kind kind;
-    double thickness; /* measured, at 1.3 m above the ground, of one side [m] */
+    double thickness; /* measured or assumed, at 1.3 m above the ground, of one side [m] */
 };
 
 /* Thickness of the bark of one side where the stem has that diameter over bark, both [m]. Below 10 cm, where

@@ -517,5 +517,3 @@ enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_mod
     enum wf_status s = wf_yaml_read(path, &wf_model_table, out, a, d, e);
     return s ? s : wf_cavities_settle(path, out->cavity, out->cavities, a, d, e);
 }
-
-char *wf_model_schema(struct wf_arena *a, struct wf_err *e) { return wf_yaml_schema(&wf_model_table, a, e); }

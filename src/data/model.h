@@ -81,9 +81,13 @@ struct wf_model {
     double lean_azimuth;          /* from +x towards +y [rad]                           */
     double radius;                /* outer radius at the base [m]; NAN: the species' level 0 */
     enum wf_taper taper;
-    double tip_ratio, power;         /* for linear and power taper [-]                     */
-    struct wf_along profile;         /* for table taper: s, r/radius                       */
-    size_t segments;                 /* rows of the tree                                   */
+    double tip_ratio, power;    /* for linear and power taper [-]                     */
+    struct wf_along profile;    /* for table taper: s, r/radius                       */
+    double form_low, form_high; /* of a profile that is a law's: powers of it that 5 and 95 % of stems follow
+                                   [-]; 0: it was measured */
+    double judged_to; /* distance along the stem from which on its strength is not known, because limbs carry
+                         the load there [m]; 0: known all along */
+    size_t segments;  /* rows of the tree                                   */
     double crown_base, crown_top;    /* heights of the crown's limits along the stem [m]; NAN: no crown */
     double leaf_area;                /* one-sided, whole crown, 0 in the leafless season [m2] */
     struct wf_silhouette silhouette; /* in place of the sail of the leaves */
@@ -131,9 +135,6 @@ const char *wf_model_level_name(const struct wf_model *m, const struct wf_specie
 
 /* Outer radius of the stem over its base radius, at relative height s in 0..1 [-]. */
 double wf_model_taper(const struct wf_model *m, double s);
-
-/* The model's schema as text (wf_yaml_schema). Returned: NULL with an error in `e`. */
-char *wf_model_schema(struct wf_arena *a, struct wf_err *e);
 
 extern const struct wf_yaml_table wf_model_table; /* struct wf_model */
 #endif

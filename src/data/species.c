@@ -448,7 +448,7 @@ static void part_schemas(struct species_schema *s)
     s->crown_table = (struct wf_yaml_table){ .title = "a crown", .row = s->crown, .doc = "" };
 }
 
-static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, struct wf_arena *a)
+const struct wf_yaml_table *wf_species_table(const struct wf_laws *laws, struct wf_arena *a)
 {
     static const struct wf_yaml_row none[] = { { .key = NULL } };
     struct species_schema *s = WF_TAKE(a, 1, struct species_schema);
@@ -479,17 +479,10 @@ static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, st
 enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, struct wf_arena *a,
                                struct wf_species *out, struct wf_diag *d, struct wf_err *e)
 {
-    const struct wf_yaml_table *table = species_schema(laws, a);
+    const struct wf_yaml_table *table = wf_species_table(laws, a);
     *out = (struct wf_species){ .file = wf_arena_text(a, path) };
     if (!out->file || !table) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
     out->streamlining.from = laws->streamlining;
     out->axis_drag = (struct wf_law_use){ .from = laws->axis_drag, .low = NAN, .high = NAN };
     return wf_yaml_read(path, table, out, a, d, e);
-}
-
-char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e)
-{
-    const struct wf_yaml_table *table = species_schema(laws, a);
-    if (!table) (void)wf_fail(e, WF_ENOMEM, "no memory for the text of the schema");
-    return table ? wf_yaml_schema(table, a, e) : NULL;
 }

@@ -116,9 +116,10 @@ const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t orde
 enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, struct wf_arena *a,
                                struct wf_species *out, struct wf_diag *d, struct wf_err *e);
 
-/* The table's schema as text: every key with dimension, range, default, meaning; the laws and their
- * parameters are those given. NULL: no memory. */
-char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e);
+/* The rows of a species table, with the laws given and their parameters: every key with dimension, range,
+ * default, meaning (wf_yaml_schema). NULL: no memory. */
+struct wf_yaml_table;
+const struct wf_yaml_table *wf_species_table(const struct wf_laws *laws, struct wf_arena *a);
 
 #ifdef __cplusplus
 }

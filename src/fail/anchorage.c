@@ -375,11 +375,8 @@ enum wf_status wf_tipping_curve_read(const char *path, struct wf_arena *a, struc
     if (!s) s = wf_units_open(&units, e);
     if (s) return s;
     column[0] = wf_column_need(&csv, units, "phi_deg", WF_DIM_ANGLE, &unit[0], e);
+    column[1] = wf_column_need(&csv, units, "moment_kNm", WF_DIM_MOMENT, &unit[1], e);
     wf_units_close(units);
-    column[1] =
-        wf_csv_column(&csv, "moment_Nm"); /* a name's last part is no unit of a moment to base/column.c */
-    unit[1] = column[1] == WF_CSV_NONE ? 1e3 : 1;
-    if (column[1] == WF_CSV_NONE) column[1] = wf_csv_need(&csv, "moment_kNm");
     while (d->errors == errors && c->n < ROWS_MAX && wf_csv_next(&csv)) read_point(&csv, column, unit, c);
     if (d->errors == errors && c->n == ROWS_MAX)
         wf_diag_error(d, path, 0, 0, "the curve has %d points or more", (int)ROWS_MAX);

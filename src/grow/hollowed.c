@@ -26,7 +26,8 @@ static int32_t stem_at(const struct wf_tree *t, double height, double *s)
 
 /* ---- Bark ---- */
 
-static void say_bark(const struct wf_model *m, const struct wf_tree *t, bool measured, struct wf_diag *d)
+static void say_bark(const struct wf_model *m, const struct wf_tree *t, enum wf_bark_kind kind,
+                     struct wf_diag *d)
 {
     double s = 0;
     int32_t at = stem_at(t, WF_BREAST_HEIGHT, &s);
@@ -38,14 +39,17 @@ static void say_bark(const struct wf_model *m, const struct wf_tree *t, bool mea
         "%s: the stem's strength and stiffness are those of the wood within the bark, %.3g mm %s at a "
         "diameter of %.4g mm: %.0f %% of the section modulus over bark. Bark counts as mass; branches are "
         "taken over bark",
-        m->name, 1e3 * (outer - wood), measured ? "as measured" : "by the species' law", 2e3 * outer,
-        100 * left);
+        m->name, 1e3 * (outer - wood),
+        kind == WF_BARK_MEASURED  ? "as measured"
+        : kind == WF_BARK_ASSUMED ? "assumed, for the species table has none,"
+                                  : "by the species' law",
+        2e3 * outer, 100 * left);
 }
 
 static enum wf_status bark_onto(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                                 struct wf_tree *t, struct wf_diag *d, struct wf_err *e)
 {
-    bool scan = m->generator == WF_GENERATOR_MEASURED, measured = m->bark.kind == WF_BARK_MEASURED;
+    bool scan = m->generator == WF_GENERATOR_MEASURED, measured = m->bark.kind >= WF_BARK_MEASURED;
     enum wf_bark_kind kind = m->bark.kind;
     if (kind == WF_BARK_BY_TREE) kind = scan && sp->bark.given ? WF_BARK_SPECIES : WF_BARK_NONE;
     if (scan && m->bark.kind == WF_BARK_BY_TREE && kind == WF_BARK_NONE && !sp->level[0].wall.n)
@@ -74,7 +78,7 @@ static enum wf_status bark_onto(const struct wf_model *m, const struct wf_specie
         t->bark0[i] = measured ? share * t->r0[i] : wf_bark_by_law(&sp->bark, 2 * t->r0[i]);
         t->bark1[i] = measured ? share * t->r1[i] : wf_bark_by_law(&sp->bark, 2 * t->r1[i]);
     }
-    if (!status) say_bark(m, t, measured, d);
+    if (!status) say_bark(m, t, kind, d);
     return status;
 }
 

@@ -166,6 +166,7 @@ enum wf_status wf_kmeans(const struct wf_cloud *p, size_t n, uint64_t seed, cons
                     e, WF_EINPUT,
                     "cluster %zu of %zu stays empty: points lie on top of one another; take fewer clusters",
                     k + 1, n);
+        out->moving = changed;
         if (!changed) break;
         recentre(p, out);
     }

@@ -18,6 +18,7 @@ struct wf_clusters {
     size_t *count;  /* per cluster: its points                   */
     double spread;  /* mean distance of points from their centre [m] */
     size_t rounds;
+    size_t moving; /* points that changed in the last round; 0: the clusters are settled */
 };
 
 /* Read a file of lines "x y z" (blanks, tabs or commas between, # begins a comment). Errors: WF_EINPUT with

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/silhouette.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
 #include "data/crown_mass.h"
@@ -85,20 +86,33 @@ double wf_outline_strip(const struct wf_outline *o, double from, double to, doub
     return whole < 0 ? -area : area;
 }
 
+static bool same_point(const struct wf_silhouette *s, size_t i, size_t k)
+{
+    return s->x[i] == s->x[k] && s->z[i] == s->z[k];
+}
+
 enum wf_status wf_outline_read(const char *path, struct wf_silhouette *s, struct wf_arena *a,
                                struct wf_diag *d, struct wf_err *e)
 {
     struct wf_csv csv = { 0 };
+    struct wf_units *units;
+    double unit[2] = { 1, 1 };
     s->points = 0;
     s->x = WF_TAKE(a, WF_OUTLINE_POINTS + 1, double);
     s->z = WF_TAKE(a, WF_OUTLINE_POINTS + 1, double);
     if (!s->x || !s->z) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    size_t x = wf_csv_need(&csv, "x_m"), z = wf_csv_need(&csv, "z_m");
+    if (wf_units_open(&units, e)) return e ? e->code : WF_EINPUT;
+    size_t x = wf_column_need(&csv, units, "x_m", WF_DIM_LENGTH, &unit[0], e);
+    size_t z = wf_column_need(&csv, units, "z_m", WF_DIM_LENGTH, &unit[1], e);
+    wf_units_close(units);
     while (s->points <= WF_OUTLINE_POINTS && wf_csv_next(&csv)) {
-        bool read = wf_csv_number(&csv, x, -1000, 1000, &s->x[s->points]);
-        if (wf_csv_number(&csv, z, -1000, 1000, &s->z[s->points]) && read) s->points++;
+        bool read = wf_column_number(&csv, x, unit[0], -1000, 1000, &s->x[s->points]);
+        if (wf_column_number(&csv, z, unit[1], -1000, 1000, &s->z[s->points]) && read &&
+            !(s->points && same_point(s, s->points, s->points - 1)))
+            s->points++;
     }
+    if (s->points > 3 && same_point(s, s->points - 1, 0)) s->points--; /* closed */
     if (csv.mistakes) return wf_fail(e, WF_EINPUT, "%s: the outline was not read", path);
     struct wf_err why = { 0 };
     enum wf_status bad = check_outline(&(struct wf_outline){ s->points, s->x, s->z }, &why);
@@ -387,6 +401,18 @@ static void check_areas(const struct wf_model *m, const struct wf_species *sp, d
                  m->name, area, m->leaf_area_on, sp->crown.frontal_share.value, leaves);
 }
 
+/* An outline of another tree, or in another unit, would hang on this one's tip. */
+static enum wf_status check_top(const struct wf_model *m, double height, struct wf_err *e)
+{
+    const double most = 1.25; /* rule of ours */
+    double top = 0;
+    for (size_t i = 0; i < m->silhouette.points; i++) top = fmax(top, m->silhouette.z[i]);
+    if (top <= most * height) return WF_OK;
+    return wf_fail(e, WF_EINPUT,
+                   "%s: the crown's outline ends %.4g m above the ground; the tree is %.4g m high", m->key,
+                   top, height);
+}
+
 static void check_centre(const struct wf_model *m, const struct wf_outline *o, const struct wf_tree *t,
                          struct wf_diag *d)
 {
@@ -408,6 +434,7 @@ static enum wf_status onto_area(const struct wf_model *m, const struct wf_specie
     double area = wf_silhouette_area(&m->silhouette),
            factor = season_share(m, c->stem, d) * sp->crown.drag_coefficient.value;
     enum wf_status s = find_outline(m, wf_tree_height(c->t), a, &o, e);
+    if (!s) s = check_top(m, wf_tree_height(c->t), e);
     if (s) return s;
     check_areas(m, sp, area, d);
     bool by_leaves = !o.n || (given(m->silhouette.area) && sail_of(c->t) > 0);

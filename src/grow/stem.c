@@ -155,6 +155,8 @@ static void wood(struct wf_tree *t, const struct wf_model *m, const struct wf_le
         t->i0[i] = t->r0[i] * (1 - wf_along_at(&l->wall, s[i], 1));
         t->i1[i] = t->r1[i] * (1 - wf_along_at(&l->wall, s[i + 1], 1));
         wf_level_onto(l, t, i, false);
+        if (m->judged_to > 0 && s[i] * m->height >= m->judged_to)
+            t->strength[i] = t->compressive[i] = t->shearing[i] = t->tangential[i] = 0;
     }
 }
 

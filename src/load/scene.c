@@ -31,6 +31,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .category = wf_category_open(),
         .named = { wf_category_open(), 0.0 },
         .carried = 1.0,
+        .winter = 1.0,
         .peak = { .method = "en1991", .damping = NAN },
     };
 }
@@ -149,6 +150,7 @@ static enum wf_status set_design(struct wf_scenario *s, const struct wf_design_w
     s->design = found.code;
     s->category = found.category, s->category_said = w->terrain;
     s->gust_factor = found.basic * found.code->squall(wf_design_terrain_named(found.code, "II")) / found.open;
+    s->squall = found.gust / found.mean;
     s->least = found.least;
     if (found.least > 0.0) s->exponent = found.exponent;
     struct wf_scenario at = *s;
@@ -282,6 +284,17 @@ double wf_scenario_gust(const struct wf_scenario *s, double named)
 {
     const struct wf_wind_place at = wf_scenario_place(s);
     return named * (s->gust_factor > 0.0 ? s->gust_factor : wf_category_gust(at.terrain, at.height));
+}
+
+double wf_scenario_squall(const struct wf_scenario *s, double height)
+{
+    const double ten = 10.0;
+    const struct wf_wind_place at = wf_scenario_place(s);
+    bool level = wf_profile_named(s->profile)->form == WF_PROFILE_UNIFORM;
+    double here = s->squall > 0.0 ? s->squall
+                                  : wf_scenario_gust(s, 1.0) / wf_category_gust(at.terrain, at.height) *
+                                        wf_category_gust(s->category, ten);
+    return level ? here : here * wf_category_gust(s->category, height) / wf_category_gust(s->category, ten);
 }
 
 enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, struct wf_loads *loads,

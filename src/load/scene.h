@@ -41,6 +41,14 @@ struct wf_peak_request {
     const struct wf_peak_table *table; /* of the method 'table' */
     struct wf_stand stand;             /* of the method 'gales' */
 };
+/* How a wind was named, by parts, so that pages say it in their language: a kind of `ws.KIND` of
+ * reports/strings.xml, and its parts in that order. */
+enum { WF_WIND_PARTS = 8 };
+struct wf_wind_note {
+    const char *kind;
+    const char *part[WF_WIND_PARTS]; /* NULL after the last */
+    const struct wf_wind_note *next; /* NULL: the last */
+};
 struct wf_scenario {
     const char *profile;                        /* row of wf_profiles */
     const struct wf_measured_profile *measured; /* data of the profile "measured" */
@@ -70,10 +78,14 @@ struct wf_scenario {
     struct wf_wind_place named; /* where the named winds are measured; height 0: the reference height */
     double carried;     /* mean wind of the site's terrain over the named wind, at the reference height;
                            the exposure comes on top [-] */
+    double winter;      /* share of the named wind that blows while snow or ice is on the tree; in `carried`
+                           [-] */
     double gust_factor; /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
+    double squall;      /* the same of the design wind at the site at 10 m; 0: no design wind [-] */
     double least;       /* of the profile "code": height below which the wind is constant [m] */
     const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
     struct wf_peak_request peak;                  /* how the peak load follows from the mean wind */
+    const struct wf_wind_note *wind_notes;        /* the same by parts; NULL: none */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };
@@ -90,6 +102,8 @@ struct wf_profile_words {
     const char *ground; /* map of the ground, whose speed-up takes the roughness too; NULL: none */
     const char *site;   /* row of wf_site_kinds */
     const char *at;     /* "open": the winds are of open country, carried to the site's terrain; "site" */
+    double winter;      /* share of the named wind that blows while snow or ice is on the tree; in `carried`
+                           [-] */
     double gust_factor; /* 3-s gust over 10-min mean where the winds are measured */
     struct wf_design_words design; /* also the terrain of the site */
 };
@@ -169,6 +183,9 @@ void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
 double wf_scenario_speed(const struct wf_scenario *s, double named);
 /* The 3-s gust of a named 10-min mean, in the place where it is measured [m/s]. */
 double wf_scenario_gust(const struct wf_scenario *s, double named);
+/* 3-s gust over 10-min mean at the site at a height [m]: that of the named winds, changed as EN 1991-1-4
+ * changes it with terrain and height; of a design wind the code's [-]. */
+double wf_scenario_squall(const struct wf_scenario *s, double height);
 /* Where the named winds are measured; by words, and of a scenario. The words are right. */
 struct wf_wind_place wf_profile_place(const struct wf_profile_words *w);
 struct wf_wind_place wf_scenario_place(const struct wf_scenario *s);

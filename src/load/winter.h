@@ -5,8 +5,9 @@
 #include "base/err.h"
 #include "data/tree.h"
 
-/* Area of the crown seen from above: the ellipse around the rows that carry sail, at least a circle of
- * `width` [m] (0: not known). Returned: [m2]; 0 for a tree without sail, and for a stem whose width is not
+/* Area of the crown seen from above: the circle whose width is that of the branches which carry sail, the
+ * mean over all directions, and at least `width` [m] (0: not known). For a crown that is longer than broad
+ * this is more than its area. Returned: [m2]; 0 for a tree without sail, and for a stem whose width is not
  * known. */
 double wf_crown_projection(const struct wf_tree *t, double width);
 

@@ -53,6 +53,7 @@ static void add_speeds(struct wf_doc *d, json_t *o, const struct wf_analysis *a)
     wf_doc_number(d, o, "low_gust_m_s", gust(a, i->low));
     wf_doc_number(d, o, "high_gust_m_s", gust(a, i->high));
     wf_doc_number(d, o, "searched_to_m_s", i->searched_to);
+    wf_doc_number(d, o, "searched_to_gust_m_s", gust(a, i->searched_to));
     wf_doc_count(d, o, "decimals", (size_t)wf_interval_decimals(i->low, i->high));
 }
 

@@ -209,6 +209,18 @@ json_t *wf_part_site(struct wf_doc *d, const struct wf_scenario *s)
     return o;
 }
 
+static void put_notes(struct wf_doc *d, json_t *o, const struct wf_wind_note *note)
+{
+    json_t *list = wf_doc_put(d, o, "wind_notes", wf_doc_array(d));
+    for (; note; note = note->next) {
+        json_t *item = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, item, "kind", note->kind);
+        json_t *parts = wf_doc_put(d, item, "parts", wf_doc_array(d));
+        for (size_t k = 0; k < WF_WIND_PARTS && note->part[k]; k++)
+            wf_doc_text(d, wf_doc_add(d, parts, wf_doc_object(d)), "text", note->part[k]);
+    }
+}
+
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_scenario *s = &a->scenario;
@@ -222,6 +234,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "reference_height", s->reference_height, "m", NULL);
     wf_doc_quantity(d, o, "averaging_time", WF_MEAN_TIME, "s", NULL);
     wf_doc_text(d, o, "winds_said", s->winds_said);
+    put_notes(d, o, s->wind_notes);
     put_site(d, o, s);
     wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
     static const char given[] = "no map of the ground";
@@ -242,6 +255,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_text(d, o, "air_density_from", isnan(s->air_density) ? "temperature and altitude" : "given");
     wf_doc_quantity(d, o, "snow", s->snow, "kg/m2", NULL);
     wf_doc_quantity(d, o, "ice", s->ice, "m", NULL);
+    wf_doc_quantity(d, o, "winter_wind", s->winter, "1", NULL);
     wf_doc_quantity(d, o, "gravity", s->gravity, "m/s2", NULL);
     wf_doc_text(d, o, "shelter", s->shelter ? s->shelter : "none");
     return o;
@@ -258,6 +272,14 @@ static void put_axis_drag(struct wf_doc *d, json_t *method, const struct wf_law 
     wf_doc_quantity(d, o, "reynolds_high", law->high, "1", "no limit is known");
 }
 
+static void put_stand(struct wf_doc *d, json_t *peak, const struct wf_stand *s)
+{
+    wf_doc_quantity(d, peak, "stand_spacing", s->spacing, "m", NULL);
+    wf_doc_quantity(d, peak, "stand_height", s->height, "m", NULL);
+    wf_doc_quantity(d, peak, "edge_distance", s->edge, "m", "well inside the stand");
+    wf_doc_quantity(d, peak, "gap", s->gap, "m", "10 heights of the stand or more");
+}
+
 static void put_peak_method(struct wf_doc *d, json_t *o, const struct wf_analysis *a)
 {
     const struct wf_peak *p = a->peak;
@@ -272,6 +294,7 @@ static void put_peak_method(struct wf_doc *d, json_t *o, const struct wf_analysi
     wf_doc_quantity(d, peak, "structural_damping", rule ? p->damping : NAN, "1", "the method has none");
     wf_doc_flag(d, peak, "damping_known", p && p->damping_known);
     wf_doc_quantity(d, peak, "load_breadth", rule ? p->tree.breadth : NAN, "m", "the method has none");
+    if (p && m->mean) put_stand(d, peak, &p->request.stand);
 }
 
 json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)

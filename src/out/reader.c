@@ -35,7 +35,7 @@ static const struct {
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "blocks modes budget criticals_m_s drags_N deflections_m frequencies_Hz moments_N_m speeds sways "
             "swing_m "
-            "lost_by safeties varied table_share "
+            "lost_by safeties varied table_share wind_notes parts "
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
@@ -56,7 +56,7 @@ static const struct {
               "euler_limit_s fallen_at_s "
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
-              "beta critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s low_gust_m_s low_m_s "
+              "beta searched_to_gust_m_s critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s low_gust_m_s low_m_s "
               "median_m_s middle_gust_m_s middle_m_s searched_to_m_s "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
@@ -65,10 +65,12 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
       "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
       "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
+      "stand_spacing stand_height edge_distance gap winter_wind "
       "load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
       "peak_of_gusts carried gust_over_mean wind_height clusters wetted winter gust_load_factor air_density "
@@ -86,6 +88,7 @@ static const struct {
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
+      "word return_period_bound "
       "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "

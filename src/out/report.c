@@ -35,6 +35,7 @@ static const struct kind kinds[] = {
     { "windfirm-rain", 1, "rain", NULL },
     { "windfirm-modes", 1, "modes", NULL },
     { "windfirm-fragility", 1, "fragility", NULL },
+    { "windfirm-extremes", 1, "extremes", NULL },
 };
 
 struct job {

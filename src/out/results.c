@@ -62,9 +62,9 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
                                                 : "no section is stressed";
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
+    wf_doc_quantity(d, o, "loss_safety", wf_verdict_safety(at, NULL), "1", reason);
     if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
         struct wf_verdict v = wf_verdict_of(a->breaks);
-        wf_doc_quantity(d, o, "loss_safety", wf_verdict_safety(at, NULL), "1", reason);
         wf_doc_flag(d, o, "beyond_loss", wf_verdict_lost(&v, at));
         wf_doc_put(d, o, "mean_state", wf_part_steady(d, a, at));
         wf_doc_put(d, o, "peak", wf_part_peak(d, a, at));
@@ -272,6 +272,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
     wf_doc_put(d, o, "verdict", wf_part_verdict(d, a));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
+    if (a->assessment) wf_doc_put(d, o, "assessment", wf_part_assessment(d, a->assessment));
     if (a->modes) wf_doc_put(d, o, "modes", wf_part_modes(d, a->modes));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));

@@ -4,6 +4,7 @@
 #include "data/species.h"
 #include "study/directions.h"
 #include "study/peak.h"
+#include "study/verdict.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -66,13 +67,26 @@ static void break_cells(FILE *f, const struct wf_break breaks[WF_CRITERIA][WF_SC
     }
 }
 
+/* Heads and cells of the loss of the tree: safety against it in a wind, then at which wind, or why that is
+ * not known, and by which criterion. */
+#define LOSS_HEADS "tree_safety,lost_wind_m_s,lost_outcome,lost_criterion"
+static void loss_cells(FILE *f, const struct wf_at_speed *at,
+                       const struct wf_break breaks[WF_CRITERIA][WF_SCOPES])
+{
+    struct wf_verdict v = wf_verdict_of(breaks);
+    cell(f, wf_verdict_safety(at, NULL));
+    cell(f, v.loss ? v.loss->critical.speed : (double)NAN);
+    fprintf(f, ",%s,%s", v.loss ? wf_part_outcome(v.loss->critical.outcome) : "",
+            v.loss ? wf_criteria[v.criterion].name : "");
+}
+
 static size_t write_summary(const struct wf_run *run, FILE *f)
 {
     fputs("tree,species,wind_m_s,status,tip_deflection_m,tip_deflection_percent,tip_angle_deg,drag_N,lift_N,"
           "weight_N,base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,governing_height_m,"
           "critical_wind_m_s,critical_outcome,critical_height_m,"
           "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,"
-          "mean_tip_deflection_m,mean_tip_angle_deg,mean_base_moment_Nm,gust_load_factor\n",
+          "mean_tip_deflection_m,mean_tip_angle_deg,mean_base_moment_Nm,gust_load_factor," LOSS_HEADS "\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -98,6 +112,7 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             const double gusts[] = { at->steady.tip_deflection, degrees * at->steady.tip_angle,
                                      at->steady.base_moment, wf_peak_gusts(a->peak, at->speed) };
             cells(f, WF_COUNT(gusts), gusts);
+            loss_cells(f, at, a->breaks);
             putc('\n', f);
         }
     }
@@ -199,7 +214,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
 {
     size_t rows = 0;
     fputs("tree,species,wind_m_s,status,tip_deflection_m,tip_deflection_percent,tip_angle_deg,drag_N,"
-          "base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,source,gust_load_factor\n",
+          "base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,source,gust_load_factor,tree_safety\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -209,6 +224,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
             total_cells(f, at, true);
             fputs(at->interpolated ? ",interpolated" : ",solved", f);
             cell(f, wf_peak_gusts(a->peak, at->speed));
+            cell(f, wf_verdict_safety(at, NULL));
             putc('\n', f);
         }
         rows += a->sweep_n;
@@ -234,6 +250,7 @@ static void direction_row(const struct wf_run *run, size_t tree, size_t k, size_
     cell(f, WF_HOURS_A_YEAR * d->strongest);
     cell(f, x->request.speed_up ? x->request.speed_up[k] : a->scenario.speed_up);
     cell(f, d->gusts[wind]);
+    loss_cells(f, at, d->breaks);
     putc('\n', f);
 }
 
@@ -246,7 +263,7 @@ static size_t write_directions(const struct wf_run *run, FILE *f)
           "moment_Nm,"
           "largest_stress_MPa,least_safety,critical_wind_m_s,critical_outcome,critical_height_m,"
           "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,frequency,weibull_scale_m_s,"
-          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up,gust_load_factor\n",
+          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up,gust_load_factor," LOSS_HEADS "\n",
           f);
     for (size_t i = 0; i < run->n; i++)
         for (size_t wind = 0; wind < run->analysis[i].n; wind++)

@@ -3,6 +3,7 @@
 #include "data/model.h"
 #include "fail/anchorage.h"
 #include "out/tables.h"
+#include "study/assessment.h"
 #include "study/limits.h"
 #include "study/verdict.h"
 #include <math.h>
@@ -55,7 +56,7 @@ static double stem_safety(const struct wf_at_speed *at, int criterion)
 }
 
 /* The criteria that lose the tree, and those that bound them, each with its result for the stem. */
-static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a)
+static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a, const struct wf_verdict *v)
 {
     json_t *list = wf_doc_array(d);
     const struct wf_at_speed *at = wf_verdict_wind(a);
@@ -67,6 +68,7 @@ static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a)
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_text(d, o, "criterion", wf_criteria[c].name);
         wf_doc_flag(d, o, "loses_tree", wf_criteria[c].loses_tree);
+        wf_doc_flag(d, o, "governs", b == v->loss);
         put_critical(d, o, a, b);
         wf_doc_quantity(d, o, "height", b->height, "m", "no place is known");
         wf_doc_quantity(d, o, "safety", stem_safety(at, c), "1", "unloaded, or no equilibrium was found");
@@ -140,10 +142,62 @@ json_t *wf_part_verdict(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "speed", at ? at->speed : (double)NAN, "m/s", "no given wind has a solution");
     wf_doc_quantity(d, o, "safety", safety, "1", "no resistance is known, or nothing is loaded");
     wf_doc_text(d, o, "safety_criterion", isnan(safety) ? NULL : wf_criteria[nearest].name);
-    wf_doc_put(d, o, "criteria", criteria(d, a));
+    wf_doc_put(d, o, "criteria", criteria(d, a, &v));
     wf_doc_put(d, o, "not_assessed", not_assessed(d, a, &v));
     wf_doc_put(d, o, "anchorage", anchorage(d, a->anchorage));
     wf_doc_quantity(d, o, "branches_from", a->search.branches_from, "m", NULL);
     wf_doc_put(d, o, "thicknesses", branches(d, a));
+    return o;
+}
+
+/* ---- Is the safety enough? ---- */
+
+static json_t *safety_part(struct wf_doc *d, const struct wf_assess_part *p)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_quantity(d, o, "safety", p->safety, "1", "not assessed");
+    wf_doc_text(d, o, "criterion", isnan(p->safety) ? NULL : wf_criteria[p->criterion].name);
+    wf_doc_quantity(d, o, "height", p->height, "m", "no place is known");
+    return o;
+}
+
+static json_t *reasons_part(struct wf_doc *d, unsigned because)
+{
+    json_t *list = wf_doc_array(d);
+    for (unsigned k = 0; wf_assess_reasons[k]; k++)
+        if (because & (1U << k)) {
+            json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+            wf_doc_text(d, o, "reason", wf_assess_reasons[k]);
+        }
+    return list;
+}
+
+json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "word", wf_assess_rows[x->word].name);
+    wf_doc_put(d, o, "because", reasons_part(d, x->because));
+    wf_doc_number(d, o, "required", x->required);
+    wf_doc_quantity(d, o, "speed", x->speed, "m/s", NULL);
+    wf_doc_put(d, o, "breakage", safety_part(d, &x->breakage));
+    wf_doc_put(d, o, "overturning", safety_part(d, &x->overturning));
+    wf_doc_quantity(d, o, "sound", x->sound, "1", "not assessed");
+    wf_doc_number(d, o, "saturated_low", x->wet_low);
+    wf_doc_number(d, o, "saturated_high", x->wet_high);
+    wf_doc_number(d, o, "low", x->low);
+    wf_doc_number(d, o, "high", x->high);
+    wf_doc_quantity(d, o, "return_period", x->years, "year", x->years_unknown);
+    wf_doc_text(d, o, "return_period_bound",
+                isnan(x->years)  ? NULL
+                : x->years_most  ? "more"
+                : x->years_least ? "less"
+                                 : "equal");
+    json_t *list = wf_doc_put(d, o, "directions", wf_doc_array(d));
+    for (size_t k = 0; k < x->directions; k++) {
+        json_t *at = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_quantity(d, at, "from", x->direction[k].from, "rad", NULL);
+        wf_doc_quantity(d, at, "breakage", x->direction[k].breakage, "1", "not assessed");
+        wf_doc_quantity(d, at, "overturning", x->direction[k].overturning, "1", "not assessed");
+    }
     return o;
 }

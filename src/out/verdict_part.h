@@ -11,6 +11,9 @@
  * a whole) and height [m]; null for row -1. */
 json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height);
 /* `verdict` of a tree, to be put into the document. */
+struct wf_assessment;
+/* A tree's safety against the required one (study/assessment.h). */
+json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x);
 json_t *wf_part_verdict(struct wf_doc *d, const struct wf_analysis *a);
 /* `loss` of a wind direction: criterion, outcome, mean and gust. */
 json_t *wf_part_loss(struct wf_doc *d, const struct wf_analysis *a,

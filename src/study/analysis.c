@@ -19,6 +19,13 @@
 
 /* ---- Set up ---- */
 
+static bool has_branches(const struct wf_tree *t)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] > 0) return true;
+    return false;
+}
+
 /* Snow and ice, which came after the tree was drawn. */
 static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct wf_err *e)
 {
@@ -49,6 +56,13 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
         "%s: %.4g kg of ice, %.3g mm thick on all axes and both sides of the leaves (917 kg/m3); the "
         "wind finds the axes by twice that thicker, the leaves as they are. %s",
         an->model->name, mass, 1e3 * an->scenario.ice, together);
+    if (!has_branches(&an->tree) && wf_crown_projection(&an->tree, 1) > 0)
+        wf_diag_warn(
+            d, "ice-undrawn",
+            "%s: the crown's branches are not drawn, so no ice is on them%s: the mass of ice, the wind's "
+            "load and the sway's period are too low. A tree with branches gives them",
+            an->model->name,
+            wf_tree_leaf_area(&an->tree) > 0 ? "" : ", nor on leaves, whose area is not known");
     return WF_OK;
 }
 
@@ -176,6 +190,21 @@ static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
     return wf_sway_modes(an, &shown, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
 }
 
+/* The given speeds as nodes, then the lowest critical one. */
+static enum wf_status analyze_bare(struct wf_analysis *an, const struct wf_solve_options *o,
+                                   const double *speeds, struct wf_err *e)
+{
+    struct wf_nodes *nodes = wf_nodes_open(an, NULL);
+    if (!nodes) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    const struct wf_node *node;
+    enum wf_status s = WF_OK;
+    for (size_t k = 0; k < an->n && !s; k++)
+        if (!(s = wf_nodes_solve(nodes, o, speeds[k], &node, e))) an->at[k] = node->at;
+    if (!s) s = wf_analysis_breaks(an, o, nodes, an->breaks, e);
+    wf_nodes_close(nodes);
+    return s;
+}
+
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
@@ -192,9 +221,15 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
-    out->modes = lowest_modes(out, o, a);
+    if (!q.bare) out->modes = lowest_modes(out, o, a);
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
+    if (q.bare) {
+        s = analyze_bare(out, o, speeds, e);
+        if (!s) wf_limits_check(out, d);
+        if (!s) wf_limits_root(out, o->root_stiffness, d);
+        return s;
+    }
     struct wf_err why = { 0 };
     struct wf_nodes *nodes = NULL;
     size_t k = 0;

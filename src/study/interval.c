@@ -25,6 +25,7 @@ struct sample {
     double critical; /* [m/s]; 0: lost in still air; INFINITY: not up to the end of the search */
     enum wf_criterion_id by;
     double *safety; /* at the given winds */
+    double *wanted; /* the same with the criteria for which practice wants more than 1 */
 };
 
 struct work {
@@ -75,16 +76,24 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
     return WF_OK;
 }
 
-/* The criterion that is nearest to the loss of the tree, and its utilisation. */
-static enum wf_criterion_id nearest(const struct wf_at_speed *at, double *utilisation)
+/* The criterion that is nearest to its limit, and its utilisation. Given: the loss of the tree alone, or also
+ * what practice wants more than 1 of? */
+static enum wf_criterion_id nearest_of(const struct wf_at_speed *at, bool wanted, double *utilisation)
 {
     enum wf_criterion_id by = WF_BREAKAGE;
     *utilisation = 0.0;
     for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *x = &wf_criteria[c];
         double own = 1.0 / at->worst[c][WF_SCOPE_STEM].safety;
-        if (wf_criteria[c].loses_tree && own > *utilisation) *utilisation = own, by = (enum wf_criterion_id)c;
+        bool counts = x->loses_tree || (wanted && x->required > 0.0);
+        if (counts && own > *utilisation) *utilisation = own, by = (enum wf_criterion_id)c;
     }
     return by;
+}
+
+static enum wf_criterion_id nearest(const struct wf_at_speed *at, double *utilisation)
+{
+    return nearest_of(at, false, utilisation);
 }
 
 /* ---- The critical wind of a sample ---- */
@@ -196,17 +205,17 @@ static enum wf_status find_critical(const struct work *w, struct solved *s, stru
 
 /* Logarithms of utilisation and speed, and the slope between them. Returned: false where they are not known.
  */
-static bool logarithms(const struct wf_node *node, double *x, double *y, double *slope)
+static bool logarithms(const struct wf_node *node, bool wanted, double *x, double *y, double *slope)
 {
     double utilisation;
-    int c = (int)nearest(&node->at, &utilisation);
+    int c = (int)nearest_of(&node->at, wanted, &utilisation);
     *slope = node->slope[WF_TOTAL_UTILISATION + c * WF_SCOPES + WF_SCOPE_STEM] * node->at.speed / utilisation;
     *x = log(node->at.speed), *y = log(utilisation);
     return !node->at.status && node->sloped && isfinite(*x) && isfinite(*y) && isfinite(*slope);
 }
 
 /* Utilisation between two solutions that are not too far apart, by a cubic of the logarithms. */
-static bool between(const struct wf_nodes *nodes, double speed, double *utilisation)
+static bool between(const struct wf_nodes *nodes, double speed, bool wanted, double *utilisation)
 {
     const double apart = 4.0; /* ratio of the speeds */
     const struct wf_node *low = NULL, *high = NULL;
@@ -217,35 +226,39 @@ static bool between(const struct wf_nodes *nodes, double speed, double *utilisat
         if (node->at.speed > speed && (!high || node->at.speed < high->at.speed)) high = node;
     }
     if (!low || !high || !(high->at.speed <= apart * low->at.speed)) return false;
-    if (!logarithms(low, &x[0], &y[0], &slope[0]) || !logarithms(high, &x[1], &y[1], &slope[1])) return false;
+    if (!logarithms(low, wanted, &x[0], &y[0], &slope[0])) return false;
+    if (!logarithms(high, wanted, &x[1], &y[1], &slope[1])) return false;
     *utilisation = exp(wf_crossing_cubic(x[0], x[1], y[0], y[1], slope[0], slope[1], log(speed)));
     return true;
 }
 
-static enum wf_status solve_safety(const struct work *w, struct solved *s, size_t wind, double *safety,
-                                   struct wf_err *e)
+static enum wf_status solve_safety(const struct work *w, struct solved *s, size_t wind,
+                                   const struct sample *out, struct wf_err *e)
 {
     const struct wf_node *node;
     double utilisation;
     enum wf_status status = wf_nodes_solve(s->nodes, w->o, w->an->at[wind].speed, &node, e);
     if (status) return status;
     (void)nearest(&node->at, &utilisation);
-    safety[wind] = node->at.status ? 0.0 : 1.0 / utilisation;
+    out->safety[wind] = node->at.status ? 0.0 : 1.0 / utilisation;
+    (void)nearest_of(&node->at, true, &utilisation);
+    out->wanted[wind] = node->at.status ? 0.0 : 1.0 / utilisation;
     return WF_OK;
 }
 
 /* Given winds are solved where the solutions so far do not tell the safety. */
-static enum wf_status find_safety(const struct work *w, struct solved *s, double *safety, struct wf_err *e)
+static enum wf_status find_safety(const struct work *w, struct solved *s, const struct sample *out,
+                                  struct wf_err *e)
 {
     enum wf_status status = WF_OK;
     for (size_t k = 0; k < w->an->n && !status; k++) {
-        double utilisation;
-        bool known = !wf_nodes_find(s->nodes, w->an->at[k].speed, w->o->mesh_tolerance) &&
-                     between(s->nodes, w->an->at[k].speed, &utilisation);
+        double lost, wanted, speed = w->an->at[k].speed;
+        bool known = !wf_nodes_find(s->nodes, speed, w->o->mesh_tolerance) &&
+                     between(s->nodes, speed, false, &lost) && between(s->nodes, speed, true, &wanted);
         if (known)
-            safety[k] = 1.0 / utilisation;
+            out->safety[k] = 1.0 / lost, out->wanted[k] = 1.0 / wanted;
         else
-            status = solve_safety(w, s, k, safety, e);
+            status = solve_safety(w, s, k, out, e);
     }
     return status;
 }
@@ -258,9 +271,9 @@ static enum wf_status search(const struct work *w, struct solved *s, struct samp
     double first = w->near > 0.0 ? w->near : s->an.search.speed_max;
     enum wf_status status = WF_OK;
     if (w->like) status = wf_nodes_solve(s->nodes, w->o, first, &node, e);
-    if (!status && w->an->n) status = solve_safety(w, s, 0, out->safety, e);
+    if (!status && w->an->n) status = solve_safety(w, s, 0, out, e);
     if (!status) status = find_critical(w, s, out, e);
-    if (!status) status = find_safety(w, s, out->safety, e);
+    if (!status) status = find_safety(w, s, out, e);
     return status || w->like ? status : wf_nodes_solve(s->nodes, w->o, first, &node, e);
 }
 
@@ -268,7 +281,7 @@ static enum wf_status solve_sample(const struct work *w, const double *share, st
                                    struct sample *out, struct wf_err *e)
 {
     struct wf_err why = { 0 };
-    *out = (struct sample){ .safety = out->safety };
+    *out = (struct sample){ .safety = out->safety, .wanted = out->wanted };
     enum wf_status status = set_up(w, share, s, &why);
     if (status == WF_EUNSTABLE || status == WF_ENOCONV) return WF_OK; /* it does not stand */
     if (status) return wf_fail(e, status, "%s", why.text);
@@ -308,8 +321,11 @@ static enum wf_status draw_shares(const struct wf_variation *v, const struct wf_
 static struct sample *take_samples(size_t n, size_t winds, struct wf_arena *a)
 {
     struct sample *out = WF_TAKE(a, n, struct sample);
-    double *safety = WF_TAKE(a, n * winds, double);
-    for (size_t k = 0; out && safety && k < n; k++) out[k].safety = safety + k * winds;
+    double *safety = WF_TAKE(a, 2 * n * winds, double);
+    for (size_t k = 0; out && safety && k < n; k++) {
+        out[k].safety = safety + 2 * k * winds;
+        out[k].wanted = out[k].safety + winds;
+    }
     return safety ? out : NULL;
 }
 
@@ -406,6 +422,11 @@ static void read_safety(const struct wf_analysis *an, const struct sample *sampl
         out->at[k].speed = an->at[k].speed;
         out->at[k].low = order(column, n, low_share);
         out->at[k].high = order(column, n, high_share);
+        n = 0;
+        for (size_t i = 0; i < out->request.samples; i++)
+            if (sample[i].stands) column[n++] = sample[i].wanted[k];
+        out->at[k].wanted_low = order(column, n, low_share);
+        out->at[k].wanted_high = order(column, n, high_share);
     }
 }
 

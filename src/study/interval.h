@@ -34,7 +34,8 @@ struct wf_interval_arm {
 
 /* Safety of the stem and the root at a given wind [-]; 0: no equilibrium. */
 struct wf_interval_at {
-    double speed, low, high; /* [m/s]; 5 and 95 % */
+    double speed, low, high;        /* [m/s]; 5 and 95 % */
+    double wanted_low, wanted_high; /* the same with the criteria for which practice wants more than 1 */
 };
 
 /* P(the tree is lost | mean wind). */

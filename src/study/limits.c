@@ -314,7 +314,8 @@ static bool crown_wind(const struct wf_analysis *an, double speed, double *low, 
 }
 
 /* The wind at the crown, up to `largest`, is beyond the evidence of its streamlining law. */
-static void say_beyond(const struct wf_analysis *an, double largest, bool critical, struct wf_diag *d)
+static void say_beyond(const struct wf_analysis *an, double end, double largest, bool critical,
+                       struct wf_diag *d)
 {
     const struct wf_law_use *law = &an->species->streamlining;
     const struct wf_streamline_law *row = an->loads.streamline;
@@ -327,34 +328,37 @@ static void say_beyond(const struct wf_analysis *an, double largest, bool critic
                        "it is extended: lower load than if held, down to %.0f %% of it; 'beyond: hold' in "
                        "the species table holds it",
                        100.0 * wf_streamline_share(row, &extended, largest, &slope) /
-                           wf_streamline_share(row, &extended, law->high, &slope));
+                           wf_streamline_share(row, &extended, end, &slope));
     wf_diag_warn(d, "streamline-range",
                  "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law '%s' "
                  "ends at %.3g m/s (%.0f %% beyond); %s",
-                 an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
-                 law->high, 100.0 * (largest / law->high - 1.0), words);
+                 an->species->name, largest, critical ? " (critical speed included)" : "", law->law, end,
+                 100.0 * (largest / end - 1.0), words);
 }
 
 static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_law_use *law = &an->species->streamlining;
+    const struct wf_streamline_law *row = an->loads.streamline;
     double least = INFINITY, largest = 0.0, low, high;
-    const struct wf_critical *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
-    bool critical = first->outcome == WF_CRITICAL_FOUND;
-    if (!an->loads.streamline || an->loads.streamline->rigid || !(law->high > 0.0)) return;
+    const struct wf_critical *lost = &wf_verdict_of(an->breaks).loss->critical;
+    bool critical = lost->outcome == WF_CRITICAL_FOUND;
+    if (!row || row->rigid) return;
+    double from = isnan(law->low) ? row->law.low : law->low;
+    double end = isnan(law->high) ? row->law.high : law->high;
     for (size_t k = 0; k < an->n + critical; k++) {
-        double speed = k < an->n ? an->at[k].speed : first->speed;
+        double speed = k < an->n ? an->at[k].speed : lost->speed;
         if (!crown_wind(an, speed, &low, &high)) continue;
         least = fmin(least, low);
         largest = fmax(largest, high);
     }
-    if (largest > law->high) say_beyond(an, largest, critical, d);
-    if (least < law->low)
+    if (largest > end) say_beyond(an, end, largest, critical, d);
+    if (least < from)
         wf_diag_warn(d, "streamline-range",
                      "%s: the wind at the crown is down to %.1f m/s; the evidence for its streamlining law "
                      "'%s' begins "
                      "at %.3g m/s (%.0f %% below)",
-                     an->species->name, least, law->law, law->low, 100.0 * (1.0 - least / law->low));
+                     an->species->name, least, law->law, from, 100.0 * (1.0 - least / from));
 }
 
 static void check_reynolds(const struct wf_analysis *an, struct wf_diag *d)

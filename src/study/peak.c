@@ -87,7 +87,7 @@ static void parts_stand(const struct wf_peak *p, double speed, enum wf_part part
 }
 
 /* Moment about the ground of the wind load on the tree at rest, along the wind, and the drag area of its
- * crown in the wind at the canopy top. */
+ * crown in the wind at the canopy top: that of its leaves, or of its bare axes where that is more. */
 static double own_moment(const struct wf_peak *p, double speed, double *area, double *top)
 {
     static const double gauss[2] = { 0.21132486540518712, 0.78867513459481288 };
@@ -99,7 +99,7 @@ static double own_moment(const struct wf_peak *p, double speed, double *area, do
     loads.wind = &wind;
     wind.sample(&wind, high, u, gradient);
     *top = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-    *area = 0.0;
+    double leaves = 0.0, axes = 0.0, pressure = 0.5 * loads.air_density * *top * *top;
     double share = loads.streamline ? loads.streamline->share(&loads.streamline_par, *top, &unused) : 1.0;
     for (size_t i = 0; i < t->n; i++) {
         const double from[3] = { t->x0[i], t->y0[i], t->z0[i] }, to[3] = { t->x1[i], t->y1[i], t->z1[i] };
@@ -108,15 +108,19 @@ static double own_moment(const struct wf_peak *p, double speed, double *area, do
         for (int j = 0; j < 2; j++) {
             struct wf_line_point point = wf_line_point_of(t, i, gauss[j]);
             struct wf_line_parts parts;
-            double x[3], along = 0.0;
+            double x[3], axis_along = 0.0, along = 0.0;
             for (int k = 0; k < 3; k++) x[k] = wf_between(from[k], to[k], gauss[j]);
             wf_load_parts_on_line(&loads, &point, x, axis, &parts);
-            for (int k = 0; k < 2; k++)
+            for (int k = 0; k < 2; k++) {
+                axis_along += parts.drag_axis[k] * wind.direction[k];
                 along += (parts.drag_axis[k] + parts.drag_crown[k]) * wind.direction[k];
+            }
             moment += 0.5 * length * along * x[2];
-            *area += 0.5 * length * point.sail * share;
+            axes += 0.5 * length * axis_along / pressure;
+            leaves += 0.5 * length * point.sail * share;
         }
     }
+    *area = fmax(leaves, axes);
     return moment;
 }
 

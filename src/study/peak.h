@@ -30,7 +30,7 @@ struct wf_peak {
     const struct wf_gust_rule *rule; /* NULL: the method has none */
     struct wf_gust_case tree;        /* terrain, size, exponent */
     double profile;                  /* mean wind at the rule's reference height over the named wind [-] */
-    double gust;                     /* gust over mean wind of the terrain at 10 m [-] */
+    double gust;                     /* gust over mean wind at 0.6 of the tree's height, at most 10 m [-] */
     double least;                    /* of the factor: of a tree in a stand whose spacing is unknown [-] */
     double damping;                  /* structural, of critical [-] */
     bool damping_known;

@@ -5,6 +5,7 @@
 #include "data/section.h"
 #include "data/species.h"
 #include "grow/grow.h"
+#include "grow/silhouette.h"
 #include "solve/firm.h"
 #include "solve/unload.h"
 #include <math.h>
@@ -53,12 +54,19 @@ static enum wf_status unload(struct wf_analysis *an, const struct wf_solve_optio
 }
 
 /* The tree stands with what it carried on the day of the shape. */
-static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
+static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_model then = *an->model;
     enum wf_season season = then.scanned == WF_SCANNED_LEAF_OFF  ? WF_LEAF_OFF
                             : then.scanned == WF_SCANNED_LEAF_ON ? WF_LEAF_ON
                                                                  : then.season;
+    if (then.generator == WF_GENERATOR_MEASURED && then.scanned == WF_SCANNED_AS_SEASON &&
+        (then.leaf_area_on > 0 || !isnan(wf_silhouette_area(&then.silhouette))))
+        wf_diag_warn(
+            d, "scan-season",
+            "%s: taken as scanned %s; --scanned says on which day it was: leaves that came or fell since "
+            "then move the tree",
+            then.name, season == WF_LEAF_ON ? "with its leaves" : "without leaves");
     if (season == then.season) return wf_tree_stand(&an->tree, &an->tree, a, e);
     struct wf_arena scratch = { 0 };
     struct wf_diag unsaid = { .arena = &scratch };
@@ -82,9 +90,9 @@ void wf_rest_warn_of_parts(const char *who, const struct wf_tree *t, const struc
     }
     wf_diag_warn(d, "stiffened",
                  "%s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
-                 "wood, and %s stiffened to %g times its own weight (a rule): %s%s",
+                 "wood, and %s stiffened to carry %g times %s own weight (a rule): %s%s",
                  who, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL, f->n == 1 ? "was" : "were",
-                 WF_REST_FIRM, l.text, f->n > LISTED ? "; ..." : "");
+                 WF_REST_FIRM, f->n == 1 ? "its" : "their", l.text, f->n > LISTED ? "; ..." : "");
 }
 
 enum wf_status wf_rest_refuse(const char *who, const char *else_say, const struct wf_tree *t,
@@ -226,7 +234,7 @@ static enum wf_status set_up_shape(struct wf_analysis *an, const struct wf_solve
         return WF_OK;
     }
     if (!an->solver->stands) return unload(an, o, a, d, e);
-    enum wf_status s = stand(an, a, e);
+    enum wf_status s = stand(an, a, d, e);
     if (!s) s = make_firm(an, o, a, d, e);
     if (an->misread) an->tree.doubtful = an->misread->doubtful;
     if (!s && (!an->misread || an->scenario.weight_unstressed)) s = find_still(an, o, a, e);

@@ -447,6 +447,7 @@ static enum wf_status finish(struct search *q, const struct wf_solve_options *qu
     between.mesh_tolerance *= coarser;
     bool between_first =
         q->scope == WF_SCOPE_STEM && coarser * between.mesh_tolerance <= quick->mesh_tolerance;
+    if (q->an->search.bare && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
     q->o = between_first ? &between : fine;
     enum wf_status s = polish_sloped(q, c, &node, &step, e);
     if (!s && between_first && !settled(q, quick, fine, before, c->speed)) {
@@ -564,11 +565,69 @@ static enum wf_status search_scope(const struct wf_analysis *an, const struct wf
     return begin_search(&q) ? end_search(&q, search_by_steps(&q, &quick, o, &why), &why, e) : WF_OK;
 }
 
+/* Criteria that lose the tree, the nearest to its limit at the strongest given wind first. Returned: how
+ * many. */
+static size_t by_nearness(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA])
+{
+    const struct wf_at_speed *at = an->at && an->n ? &an->at[an->n - 1] : NULL;
+    size_t n = 0;
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        if (!wf_criteria[c].loses_tree) continue;
+        size_t k = n++;
+        for (; k && at && at->worst[c][WF_SCOPE_STEM].safety < at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
+             k--)
+            order[k] = order[k - 1];
+        order[k] = (enum wf_criterion_id)c;
+    }
+    return n;
+}
+
+/* Nothing is searched yet. */
+static void unsearched(const struct wf_analysis *an, struct wf_break (*out)[WF_SCOPES])
+{
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int scope = 0; scope < WF_SCOPES; scope++) {
+            bool known = wf_criterion_known(&wf_criteria[c], &an->tree, (enum wf_scope)scope);
+            out[c][scope] = nothing;
+            out[c][scope].critical =
+                (struct wf_critical){ .outcome = known ? WF_CRITICAL_UNSEARCHED : WF_CRITICAL_NO_STRENGTH,
+                                      .speed = NAN,
+                                      .speed_high = an->search.speed_max,
+                                      .gradient = NAN };
+        }
+}
+
+/* The lowest wind in which the stem is lost: each criterion is searched below what was found alone. */
+static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
+{
+    const struct wf_solve_options quick = wf_nodes_quick(o);
+    enum wf_criterion_id order[WF_CRITERIA];
+    double lowest = INFINITY;
+    enum wf_status s = WF_OK;
+    unsearched(an, out);
+    for (size_t k = 0, n = by_nearness(an, order); k < n && !s && lowest > 0; k++) {
+        struct wf_break *b = &out[order[k]][WF_SCOPE_STEM];
+        struct search q = {
+            .an = an, .criterion = order[k], .scope = WF_SCOPE_STEM, .nodes = nodes, .out = b
+        };
+        if (!begin_search(&q)) continue;
+        q.speed_max = fmin(q.speed_max, lowest);
+        struct wf_err why = { 0 };
+        s = wf_nodes_tracked(an) ? search_part(&q, 1, &quick, o, e)
+                                 : end_search(&q, search_by_steps(&q, &quick, o, &why), &why, e);
+        if (!s && reached(&b->critical))
+            lowest = fmin(lowest, b->critical.outcome == WF_CRITICAL_FOUND ? b->critical.speed : 0.0);
+    }
+    return s;
+}
+
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
 {
     const bool tracked = wf_nodes_tracked(an);
     wf_nodes_deadline(nodes, an->search.seconds);
+    if (an->search.bare) return bare_breaks(an, o, nodes, out, e);
     enum wf_status s = tracked ? search_parts(an, o, nodes, out, e) : WF_OK;
     for (int c = 0; c < WF_CRITERIA && !s; c++) {
         bool branches = wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES);

@@ -5,6 +5,7 @@
 #include "base/vec3.h"
 #include "solve/solve.h"
 #include "study/limits.h"
+#include "study/verdict.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <stdio.h>
@@ -257,11 +258,13 @@ static enum wf_status keep_balance(struct wf_series *s, size_t k, struct wf_resp
 {
     const struct wf_tree *t = &s->an.tree;
     struct wf_breakage stresses;
-    struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
+    struct wf_at_speed at = { .status = WF_OK };
     enum wf_status status = wf_breakage_check(t, r, NULL, scratch, &stresses, e);
     if (status) return status;
-    wf_criteria_check(t, r, &stresses, worst);
-    if (worst[WF_BREAKAGE][WF_SCOPE_TREE].row >= 0) s->safety[k] = worst[WF_BREAKAGE][WF_SCOPE_TREE].safety;
+    wf_criteria_check(t, r, &stresses, at.worst);
+    const struct wf_worst *breaks = &at.worst[WF_BREAKAGE][WF_SCOPE_TREE];
+    if (breaks->row >= 0) s->safety[k] = breaks->safety;
+    s->safety[k] = fmin(s->safety[k], wf_verdict_safety(&at, NULL));
     for (size_t i = 0; i < t->n; i++)
         r->end[3 * i] += t->x1[i], r->end[3 * i + 1] += t->y1[i], r->end[3 * i + 2] += t->z1[i];
     keep(s, k, r->end, 3);
@@ -331,7 +334,7 @@ static void check_broken(struct wf_series *s, struct wf_diag *d)
     if (s->broken == s->frames) return;
     wf_diag_warn(
         d, "broken",
-        "%s: the stress reaches the strength at %.4g s in a wind of %.4g m/s; from there on (grey) the "
+        "%s: a part breaks or the tree is lost at %.4g s in a wind of %.4g m/s; from there on (grey) the "
         "frames are those of a tree that cannot break",
         s->spec.name, (double)s->broken * s->spec.step, s->wind[s->broken]);
 }

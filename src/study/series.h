@@ -106,7 +106,8 @@ struct wf_series {
     double *place;          /* frames x 3n: ends of the rows [m]                 */
     double *deflection;     /* frames: of the tip, from the unloaded shape [m]   */
     double *moment;         /* frames: overturning moment at the base [N m]      */
-    double *safety; /* frames: least strength over stress [-]; NAN: not known, as with the deflect scheme */
+    double *safety; /* frames: least of breakage anywhere and of loss of the tree [-]; NAN: not known, as with
+                       the deflect scheme */
     size_t broken;  /* first frame in which it is 1 or less; `frames`: none. From there on the frames are
                        those of a tree that cannot break */
     size_t tip;     /* row                                               */

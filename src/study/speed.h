@@ -75,6 +75,8 @@ struct wf_search {
     double
         seconds; /* processor time after which the search, and again the curves, end [s]; INFINITY: no end */
     double branches_from; /* diameter from which branches are listed; thinner ones are twigs [m] */
+    bool bare; /* of the stem alone the given winds, and the lowest in which it is lost: other criteria are then
+                  WF_CRITICAL_UNSEARCHED; there are neither curves nor modes, nor columns of the given winds */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;
@@ -93,6 +95,7 @@ struct wf_directions;
 struct wf_wetted;
 struct wf_sway_modes;
 struct wf_interval;
+struct wf_assessment;
 /* How a sample of a tree differs from the tree as measured. */
 struct wf_misread {
     double radius, height; /* factors on all its radii; on all its lengths [-] */
@@ -124,6 +127,7 @@ struct wf_analysis {
     const struct wf_wetted *winter;         /* the same of snow and ice; NULL: none                    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
     const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
+    const struct wf_assessment *assessment; /* study/assessment.h; NULL: not specified */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
 };

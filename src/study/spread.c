@@ -39,6 +39,7 @@ const struct wf_spread wf_spreads[] = {
     { "height", WF_SPREAD_HEIGHT, LOG, 0.03, 0.01, 0, INFINITY, false, NULL, RULE },
     { "leaf_area", WF_SPREAD_LEAVES, LOG, 0.20, 0, 0, INFINITY, false, NULL, RULE },
     { "frontal_area", WF_SPREAD_AREA, LOG, 0.15, 0, 0, INFINITY, false, NULL, RULE },
+    { "stem_form", WF_SPREAD_FORM, LOG, 0, 0, 0, INFINITY, false, NULL, RULE },
     { "anchorage", WF_SPREAD_ANCHORAGE, LOG, 0.33, 0, 0, INFINITY, false, NULL, RULE },
     { 0 },
 };
@@ -171,6 +172,22 @@ static enum wf_status add_damping(struct wf_variation *out, const struct wf_spre
     return add(out, &v, e);
 }
 
+/* Form of a stem that was not measured: its radii to a power. */
+static enum wf_status add_form(struct wf_variation *out, const struct wf_spread *row,
+                               const struct wf_model *m, struct wf_err *e)
+{
+    struct wf_varied v = { .row = row,
+                           .name = row->name,
+                           .unit = "",
+                           .value = 1.0,
+                           .low = m->form_low,
+                           .high = m->form_high,
+                           .factor = true,
+                           .ranged = true,
+                           .standing = WF_ASSUMED };
+    return m->form_low > 0.0 ? add(out, &v, e) : WF_OK;
+}
+
 /* Anchorage by the scatter of its method; by the row where that is not known. */
 static enum wf_status add_anchorage(struct wf_variation *out, const struct wf_spread *row,
                                     const struct wf_analysis *an, struct wf_err *e)
@@ -230,6 +247,8 @@ enum wf_status wf_variation_of(const struct wf_analysis *an, struct wf_variation
             s = an->peak && an->peak->method->sways ? add_damping(out, row, an, e) : WF_OK;
         else if (row->place == WF_SPREAD_ANCHORAGE)
             s = add_anchorage(out, row, an, e);
+        else if (row->place == WF_SPREAD_FORM)
+            s = add_form(out, row, an->model, e);
         else if (acts(row, an))
             s = add_factor(out, row, scanned, e);
     }
@@ -309,6 +328,15 @@ static enum wf_status put_area(double factor, struct wf_silhouette *s, struct wf
     return WF_OK;
 }
 
+static enum wf_status put_form(double power, struct wf_along *profile, struct wf_arena *a, struct wf_err *e)
+{
+    double *share = WF_TAKE(a, profile->n, double);
+    if (!share) return wf_fail(e, WF_ENOMEM, "not enough memory for a sample");
+    for (size_t i = 0; i < profile->n; i++) share[i] = pow(profile->v[i], power);
+    profile->v = share;
+    return WF_OK;
+}
+
 static enum wf_status put_one(const struct wf_varied *v, double share, struct wf_level *level,
                               struct wf_arena *a, struct wf_varied_copy *out, struct wf_err *e)
 {
@@ -334,6 +362,8 @@ static enum wf_status put_one(const struct wf_varied *v, double share, struct wf
         return WF_OK;
     case WF_SPREAD_AREA:
         return put_area(x, &out->model->silhouette, a, e);
+    case WF_SPREAD_FORM:
+        return put_form(x, &out->model->profile, a, e);
     case WF_SPREAD_GUSTS:
     case WF_SPREAD_BARE_DRAG:
         out->load *= x;

@@ -28,6 +28,7 @@ enum wf_spread_place {
     WF_SPREAD_HEIGHT,    /* measured height */
     WF_SPREAD_LEAVES,    /* leaf area */
     WF_SPREAD_AREA,      /* frontal area that is given */
+    WF_SPREAD_FORM,      /* exponent of the stem's relative radii, where a law of the genus gives them */
     WF_SPREAD_GUSTS,     /* factor of the peak load */
     WF_SPREAD_DAMPING,   /* structural */
     WF_SPREAD_BARE_DRAG, /* wind load of a tree without leaves, whose drag is by a law */

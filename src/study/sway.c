@@ -124,8 +124,8 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
 static size_t pick_speeds(const struct wf_analysis *an, const double *given, size_t n, double *out)
 {
     const double shares[] = { 0.0, 0.2, 0.4, 0.7, 1.0 };
-    size_t k = 0;
-    for (size_t i = 0; i < WF_COUNT(shares); i++) out[k++] = shares[i] * an->search.speed_max;
+    size_t k = 0, all = an->search.bare ? 1 : WF_COUNT(shares); /* beyond the given winds damping is held */
+    for (size_t i = 0; i < all; i++) out[k++] = shares[i] * an->search.speed_max;
     for (size_t i = 0; i < n && k < WF_PEAK_SWAYS; i++) {
         bool there = false;
         for (size_t j = 0; j < k; j++) there = there || fabs(out[j] - given[i]) < 0.02 * an->search.speed_max;
@@ -241,6 +241,7 @@ static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, d
 static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct wf_peak **out,
                             struct wf_err *e)
 {
+    const double ten = 10.0, reached = 0.6; /* [m]; of a tree's height: z_s of EN 1991-1-4 */
     const struct wf_peak_method *method;
     const struct wf_peak_request *r = &an->scenario.peak;
     struct wf_peak *p = *out = WF_TAKE(a, 1, struct wf_peak);
@@ -251,7 +252,7 @@ static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct w
     *p = (struct wf_peak){ .method = method, .request = *r, .rule = wf_gust_rule_named(method->name) };
     p->tree =
         (struct wf_gust_case){ .terrain = an->scenario.category, .height = an->tallness, .exponent = 2.0 };
-    p->gust = wf_category_gust(an->scenario.category, 10.0);
+    p->gust = wf_scenario_squall(&an->scenario, fmin(ten, reached * an->tallness));
     if (!(p->request.stand.height > 0.0)) p->request.stand.height = an->tallness;
     if (method->mean) {
         p->top = profile_at(an, p->request.stand.height) / wf_scenario_speed(&an->scenario, 1.0);

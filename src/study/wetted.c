@@ -6,6 +6,7 @@
 #include "solve/modes.h"
 #include "study/node.h"
 #include "study/sway.h"
+#include "study/verdict.h"
 #include <math.h>
 
 /* Lowest frequency about the equilibrium in still air. */
@@ -17,7 +18,7 @@ static enum wf_status sway(const struct wf_analysis *an, const struct wf_solve_o
     still.wind = NULL;
     enum wf_status s = wf_modes(&an->tree, &still, o, 1, a, frequency, NULL, &why);
     if (s == WF_ENOMEM || s == WF_EINTERRUPTED) return wf_fail(e, s, "%s", why.text);
-    if (s) *frequency = NAN;
+    if (s || *frequency < 0.0) *frequency = NAN; /* it does not stand */
     return WF_OK;
 }
 
@@ -74,9 +75,10 @@ static enum wf_status search(const struct wf_analysis *wet, const struct wf_anal
     if (!nodes) return wf_fail(e, WF_ENOMEM, "not enough memory for the dry tree");
     enum wf_status s = wf_analysis_breaks(dry, o, nodes, breaks, e);
     wf_nodes_close(nodes);
-    out->critical[WF_DRY] = breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
-    out->critical[WF_WET] = wet->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
-    return s;
+    if (s) return s;
+    out->critical[WF_DRY] = wf_verdict_of((const struct wf_break(*)[WF_SCOPES])breaks).loss->critical;
+    out->critical[WF_WET] = wf_verdict_of(wet->breaks).loss->critical;
+    return WF_OK;
 }
 
 enum wf_status wf_wetted_compare(const struct wf_analysis *wet, enum wf_burden burden,

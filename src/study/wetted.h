@@ -12,7 +12,7 @@ struct wf_wetted {
     double speed;                             /* highest of the given winds that has a result [m/s]       */
     double drag[2], moment[2], deflection[2]; /* of the whole tree [N], at the base [N m] and of the tip [m]
                                                  at that speed; NAN: no equilibrium */
-    struct wf_critical critical[2];           /* of breakage of the whole tree                            */
+    struct wf_critical critical[2];           /* of the loss of the tree                                  */
 };
 /* Compare an analysis whose scenario has water, or snow or ice, with the same tree without it. Errors:
  * WF_EINPUT for rain on a tree without leaves; those of wf_analysis_set_up and wf_analysis_breaks;

@@ -48,11 +48,11 @@ double wf_category_gust(const struct wf_category *c, double z)
 }
 
 const struct wf_site_kind wf_site_kinds[] = {
-    { "open", "II", "open country", false },
-    { "suburb", "III", "among houses and gardens, or in a village", false },
-    { "town", "IV", "in a town of high buildings", false },
-    { "forest-edge", "II", "at the edge of a forest, with open country upwind", true },
-    { "in-stand", "III", "inside a forest", true },
+    { "open", "II", "open country", false, false },
+    { "suburb", "III", "among houses and gardens, or in a village", false, false },
+    { "town", "IV", "in a town of high buildings", false, false },
+    { "forest-edge", "II", "at the edge of a forest, with open country upwind", true, true },
+    { "in-stand", "III", "inside a forest", true, false },
     { 0 }
 };
 

@@ -40,6 +40,7 @@ struct wf_site_kind {
     const char *category; /* terrain that the wind comes over */
     const char *text;
     bool stand; /* the tree is in a stand or at its edge */
+    bool edge;  /* at its upwind edge */
 };
 extern const struct wf_site_kind wf_site_kinds[]; /* ends at name == NULL */
 /* The row of that name; NULL when there is none. */

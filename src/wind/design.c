@@ -342,3 +342,34 @@ enum wf_status wf_design_find(const struct wf_design_words *w, struct wf_design_
     if (d->shape) d->shape(out->terrain, &out->exponent, &out->least);
     return WF_OK;
 }
+
+/* Basic wind of a return period; NAN: the code has none of that. */
+static double rare_wind(const struct wf_design *d, const struct wf_design_words *w, double years)
+{
+    struct wf_design_words of = *w;
+    struct wf_err unsaid = { WF_OK, "" };
+    double basic = NAN;
+    of.years = years;
+    return d->rare && !d->rare(&of, &basic, &unsaid) ? basic : (double)NAN;
+}
+
+double wf_design_years(const struct wf_design_words *w, double ratio, int *end)
+{
+    const struct wf_design *d = wf_design_named(w->code);
+    double low = 1.05, high = 1e6; /* years */
+    *end = 0;
+    if (!d || !d->rare) return NAN;
+    if (isnan(rare_wind(d, w, low))) low = 5; /* the least of AS/NZS 1170.2 */
+    double now = isnan(w->years) ? w->basic : rare_wind(d, w, w->years), wanted = ratio * now;
+    if (isnan(now) || isnan(rare_wind(d, w, low))) return NAN;
+    if (wanted <= rare_wind(d, w, low)) return *end = -1, low;
+    if (wanted >= rare_wind(d, w, high)) return *end = 1, high;
+    while (high > 1.001 * low) {
+        double middle = sqrt(low * high);
+        if (rare_wind(d, w, middle) < wanted)
+            low = middle;
+        else
+            high = middle;
+    }
+    return sqrt(low * high);
+}

@@ -56,6 +56,11 @@ struct wf_design_wind {
 /* The design wind that the words name. Errors: WF_EUSAGE for a code, terrain, region, wind or return period
  * that is missing, unknown or outside its range. */
 enum wf_status wf_design_find(const struct wf_design_words *w, struct wf_design_wind *out, struct wf_err *e);
+/* Return period of a wind that is `ratio` times the design wind that the words name, by the code. Returned:
+ * years; *end -1: it is shorter, the least of the code; 1: it is longer, 1e6 years. NAN: the code does not
+ * say.
+ */
+double wf_design_years(const struct wf_design_words *w, double ratio, int *end);
 
 #ifdef __cplusplus
 }

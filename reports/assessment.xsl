@@ -1,0 +1,122 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- Is the safety of a tree enough? The context is a tree with an assessment. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
+
+<!-- A row: what | now | sound | required | 5 to 95 %. -->
+<xsl:template name="as-row">
+  <xsl:param name="id"/><xsl:param name="now"/><xsl:param name="sound"/><xsl:param name="low"/><xsl:param name="high"/>
+  <tr>
+    <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></td>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$now"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$sound"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="assessment/required"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$low"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$high"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+  </tr>
+</xsl:template>
+
+<xsl:template name="as-years">
+  <xsl:variable name="a" select="assessment"/>
+  <xsl:choose>
+    <xsl:when test="$a/return_period/value != ''">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id" select="concat('as.years.', $a/return_period_bound)"/>
+        <xsl:with-param name="a">
+          <xsl:call-template name="number"><xsl:with-param name="x" select="$a/return_period/value"/></xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise><xsl:call-template name="say">
+      <xsl:with-param name="id">as.years.unknown</xsl:with-param>
+    </xsl:call-template></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<xsl:template name="as-directions">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">as.t.directions</xsl:with-param></xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of" select="'as.c.from:°;as.breakage:;as.overturning:'"/>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="assessment/directions/item">
+        <tr>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="$degrees * from/value"/>
+            <xsl:with-param name="pattern">0</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="breakage/value"/>
+            <xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="overturning/value"/>
+            <xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
+<xsl:template name="assessment">
+  <xsl:variable name="a" select="assessment"/>
+  <p>
+    <b><xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.word.', $a/word)"/></xsl:call-template></b>
+    <xsl:for-each select="$a/because/item">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.because.', reason)"/></xsl:call-template>
+    </xsl:for-each>
+    <xsl:value-of select="$gap"/><xsl:call-template name="as-years"/>
+    <xsl:value-of select="$gap"/><xsl:call-template name="say">
+      <xsl:with-param name="id">as.missing</xsl:with-param>
+    </xsl:call-template>
+  </p>
+  <table class="data">
+    <xsl:call-template name="caption">
+      <xsl:with-param name="id">as.t.safety</xsl:with-param>
+      
+        <xsl:with-param name="a"><xsl:call-template name="number"><xsl:with-param name="x" select="$a/speed/value"/>
+      </xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of" select="'as.c.against;as.c.now:;as.c.sound:;as.c.required:;as.c.low:;as.c.high:'"/>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:call-template name="as-row">
+        <xsl:with-param name="id">as.breakage</xsl:with-param><xsl:with-param name="now" select="$a/breakage/safety/value"/>
+        <xsl:with-param name="sound" select="$a/sound/value"/>
+      </xsl:call-template>
+      <xsl:call-template name="as-row">
+        
+          <xsl:with-param name="id">as.overturning</xsl:with-param>
+          <xsl:with-param name="now" select="$a/overturning/safety/value"/>
+      </xsl:call-template>
+      <xsl:call-template name="as-row">
+        <xsl:with-param name="id">as.saturated</xsl:with-param><xsl:with-param name="now" select="$a/saturated_low"/>
+      </xsl:call-template>
+      <xsl:call-template name="as-row">
+        <xsl:with-param name="id">as.least</xsl:with-param>
+        <xsl:with-param name="low" select="$a/low"/><xsl:with-param name="high" select="$a/high"/>
+      </xsl:call-template>
+    </tbody>
+  </table>
+  <xsl:if test="$a/directions/item"><xsl:call-template name="as-directions"/></xsl:if>
+</xsl:template>
+</xsl:stylesheet>

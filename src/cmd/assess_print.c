@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/assess_print.h"
+#include "cmd/option.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "fail/anchorage.h"
+#include "grow/silhouette.h"
+#include "study/directions.h"
+#include "study/interval.h"
+#include "study/peak.h"
+#include "study/verdict.h"
+#include "wind/category.h"
+#include "wind/design.h"
+#include <math.h>
+
+static double degrees(double rad) { return rad * 180.0 / M_PI; }
+
+static void print_number(FILE *to, int width, double x)
+{
+    if (isfinite(x))
+        wf_show(to, "%*.*f", width, x < 10 ? 2 : 1, x);
+    else
+        wf_show(to, "%*s", width, isinf(x) ? "> 100" : "-");
+}
+
+static void print_tree(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_outline_size seen = wf_silhouette_size(an->model, an->tallness);
+    wf_show(to, "%s: %s, %s\n", an->model->name, an->species->name,
+            an->species->latin ? an->species->latin : an->species->key);
+    wf_show(to, "  height %.4g m", an->tallness);
+    if (isfinite(seen.centre))
+        wf_show(to, "; crown from the side %.4g m2, its centre at %.3g m", seen.area, seen.centre);
+    if (an->model->lean > 0) wf_show(to, "; leans %.3g deg", degrees(an->model->lean));
+    wf_show(to, "%s\n", an->model->season == WF_LEAF_OFF ? "; without leaves" : "");
+}
+
+static void print_wind(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_scenario *s = &an->scenario;
+    const struct wf_wind_place at = wf_scenario_place(s);
+    double speed = an->assessment->speed;
+    wf_show(
+        to,
+        "  wind: %s%s%.1f m/s 10-min mean at %.4g m over terrain %s, 3-s gust %.1f m/s; load of gusts: %s",
+        s->design ? s->design->title : "", s->design ? ", " : "", speed, at.height, at.terrain->name,
+        wf_scenario_gust(s, speed), an->peak ? an->peak->method->name : "none");
+    double there = wf_scenario_speed(s, speed);
+    if (there != speed)
+        wf_show(to, "\n        at the tree, terrain %s, %.1f m/s at %.4g m", s->category->name, there,
+                s->reference_height);
+    fputc('\n', to);
+}
+
+/* One reason a line. */
+static void print_reasons(FILE *to, const struct wf_assessment *x)
+{
+    if (x->because & WF_ASSESS_LOW_END)
+        wf_show(to, "    at the low end of the interval the safety is %.2f, %s the required %.3g\n", x->low,
+                x->high < x->required ? "as at its high end below" : "below", x->required);
+    if (x->because & WF_ASSESS_WET)
+        wf_show(to, "    in saturated soil it may overturn: safety %.2f to %.2f\n", x->wet_low, x->wet_high);
+    if (x->because & WF_ASSESS_NO_OVERTURNING)
+        wf_show(to, "    overturning is not assessed: this says nothing of the roots\n");
+    if (x->because & WF_ASSESS_NO_ELASTIC)
+        wf_show(to, "    the species has no compressive strength: breakage is by the modulus of rupture, "
+                    "which is up to twice as high\n");
+    if (x->because & WF_ASSESS_NO_INTERVAL) wf_show(to, "    how sure it is was not computed\n");
+}
+
+static void print_safeties(FILE *to, const struct wf_assessment *x)
+{
+    wf_show(to, "\n%24s%10s%10s%10s%16s\n", "safety", "now", "sound", "required", "90 % between");
+    wf_show(to, "%24s", "against breakage");
+    print_number(to, 10, x->breakage.safety);
+    print_number(to, 10, x->sound);
+    wf_show(to, "%10.3g\n%24s", x->required, "against overturning");
+    if (isnan(x->overturning.safety)) {
+        wf_show(to, "%34s\n", "not assessed");
+    } else {
+        print_number(to, 10, x->overturning.safety);
+        wf_show(to, "%10s%10.3g\n%24s%10.2f to %.2f\n", "", x->required, "in saturated soil", x->wet_low,
+                x->wet_high);
+    }
+    wf_show(to, "%24s", "least");
+    print_number(to, 10, fmin(x->breakage.safety, x->overturning.safety));
+    wf_show(to, "%20s", "");
+    if (isfinite(x->low))
+        wf_show(to, "%9.2f to %.2f\n", x->low, x->high);
+    else
+        wf_show(to, "%16s\n", "-");
+}
+
+static void print_governing(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_assess_part *p = &an->assessment->breakage;
+    const struct wf_directions_request place = { .north = 0 };
+    if (p->row < 0) return;
+    wf_show(to, "  governing section: %.2f m above the ground, %.3g mm thick; the stem %s there (%s)\n",
+            p->height, 2e3 * an->tree.r0[p->row], wf_criteria[p->criterion].event,
+            wf_criteria[p->criterion].name);
+    if (an->assessment->directions)
+        wf_show(to, "  governing direction: wind from %.0f deg\n",
+                degrees(wf_direction_from(&place, an->scenario.azimuth)));
+}
+
+static void print_critical(FILE *to, const struct wf_analysis *an)
+{
+    struct wf_verdict v = wf_verdict_of(an->breaks);
+    const struct wf_critical *c = &v.loss->critical;
+    const struct wf_wind_place at = wf_scenario_place(&an->scenario);
+    wf_show(to, "  critical wind: ");
+    if (c->outcome == WF_CRITICAL_FOUND)
+        wf_show(to, "%.1f m/s mean (%.0f km/h), 3-s gust %.1f m/s, at %.4g m over terrain %s; the tree %s\n",
+                c->speed, 3.6 * c->speed, wf_scenario_gust(&an->scenario, c->speed), at.height,
+                at.terrain->name,
+                wf_criteria[v.criterion].whole ? "overturns" : wf_criteria[v.criterion].event);
+    else if (c->outcome == WF_CRITICAL_ABOVE)
+        wf_show(to, "not lost up to %.4g m/s, the highest searched\n", c->speed_high);
+    else
+        wf_show(to, "%s\n", wf_critical_text(c->outcome));
+    const struct wf_interval *i = an->interval;
+    if (i && isfinite(i->high))
+        wf_show(to, "    90 %% of %zu samples between %.0f and %.0f m/s\n", i->n, i->low, i->high);
+    else if (i && isfinite(i->low))
+        wf_show(to, "    90 %% of %zu samples above %.0f m/s\n", i->n, i->low);
+}
+
+static void print_years(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_assessment *x = an->assessment;
+    if (isnan(x->years))
+        wf_show(to, "  return period of that wind: unknown: %s\n", x->years_unknown);
+    else
+        wf_show(to, "  return period of that wind: %s%.*g years by %s, winds of all directions together\n",
+                x->years_most    ? "more than "
+                : x->years_least ? "less than "
+                                 : "about ",
+                x->years < 10 ? 2 : 3, x->years, an->scenario.design->title);
+}
+
+static void print_directions(FILE *to, const struct wf_assessment *x)
+{
+    if (!x->directions) {
+        wf_show(to,
+                "  the card says nothing by which directions differ: the wind's direction does not matter\n");
+        return;
+    }
+    wf_show(to, "\n  safety by the direction the wind comes from: breakage, overturning\n");
+    for (size_t k = 0; k < x->directions; k++) {
+        const struct wf_assess_direction *d = &x->direction[k];
+        wf_show(to, "%7.0f deg", degrees(d->from));
+        print_number(to, 7, d->breakage);
+        print_number(to, 7, d->overturning);
+        if (k % 4 == 3 || k + 1 == x->directions) fputc('\n', to);
+    }
+}
+
+static void print_missing(FILE *to, const struct wf_analysis *an)
+{
+    struct wf_verdict v = wf_verdict_of(an->breaks);
+    wf_show(to,
+            "  not assessed: limbs, forks and unions, and the stem above the middle of the crown (%.3g m); "
+            "its flare "
+            "and the roots as they are; decay other than the cavities given; wear by many gusts\n",
+            an->model->judged_to);
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const char *why = wf_verdict_unassessed(an, &v, (enum wf_criterion_id)c);
+        if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
+    }
+    if (an->anchorage && an->anchorage->method)
+        wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
+}
+
+void wf_print_assessment(FILE *to, const struct wf_analysis *an)
+{
+    static const char *const shown[WF_ASSESS_WORDS] = { "UNKNOWN",   "LOST",       "INSUFFICIENT",
+                                                        "UNCERTAIN", "INCOMPLETE", "SUFFICIENT" };
+    const struct wf_assessment *x = an->assessment;
+    print_tree(to, an);
+    print_wind(to, an);
+    wf_show(to, "\n  %s: %s\n", shown[x->word], wf_assess_rows[x->word].text);
+    print_reasons(to, x);
+    print_safeties(to, x);
+    print_governing(to, an);
+    print_critical(to, an);
+    print_years(to, an);
+    print_directions(to, x);
+    print_missing(to, an);
+}

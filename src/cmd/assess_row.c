@@ -1,0 +1,503 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/assess_row.h"
+#include "base/column.h"
+#include "base/csv.h"
+#include "base/num.h"
+#include "base/text.h"
+#include "cmd/args.h"
+#include "cmd/commands.h"
+#include "data/species.h"
+#include "load/drag.h"
+#include "study/verdict.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- The columns ---- */
+
+/* Names of a column, with blanks between: English, German, French, Chinese. The option's own name, with '_'
+ * for '-', is one too. */
+static const struct known {
+    const char *option, *names;
+    bool stand; /* of a tree in a stand */
+} known[] = {
+    { "--species",
+      "tree_species species_name latin_name botanical_name art baumart essence espece espèce 树种", false },
+    { "--height", "tree_height total_height h höhe hoehe baumhöhe baumhoehe hauteur 树高 高度", false },
+    { "--girth", "gbh circumference umfang stammumfang circonférence circonference 胸围 干周", false },
+    { "--dbh", "d130 diameter diameter_at_breast_height bhd brusthöhendurchmesser diamètre diametre 胸径",
+      false },
+    { "--crown-width",
+      "crown_diameter kronenbreite kronendurchmesser largeur_houppier diamètre_houppier diametre_houppier "
+      "冠幅",
+      false },
+    { "--crown-depth", "crown_length kronenlänge kronenlaenge longueur_houppier 冠长", false },
+    { "--crown-base", "crown_base_height kronenansatz kronenansatzhöhe base_houppier 枝下高", false },
+    { "--crown-form", "crown_shape kronenform forme_houppier 冠形", false },
+    { "--frontal-area", "crown_area_side segelfläche kronenansicht surface_frontale 迎风面积", false },
+    { "--lean", "neigung schrägstand inclinaison 倾斜 倾角", false },
+    { "--lean-towards", "lean_direction neigungsrichtung direction_inclinaison 倾斜方向", false },
+    { "--soil", "soil_type boden bodenart sol 土壤", false },
+    { "--cavity", "höhlung hoehlung cavité cavite 空洞", false },
+    { "--bark", "bark_thickness rinde rindendicke écorce ecorce 树皮", false },
+    { "--season", "leaf_state belaubung saison 季节", false },
+    { "--terrain", "terrain_category gelände gelaende 地面类别", false },
+    { "--pull-moment", "zugversuch moment_traction 拉力试验", false },
+    { "--required-safety", "sollsicherheit sécurité_requise 要求安全系数", false },
+    { "--spacing", "tree_spacing baumabstand pflanzabstand espacement 株距", true },
+    { "--stand-height", "top_height oberhöhe oberhoehe hauteur_dominante 优势高", true },
+    { "--edge-distance", "distance_to_edge randabstand distance_lisière 林缘距离", true },
+    { "--gap", "gap_length lücke trouée 林窗", true },
+};
+
+enum { SPECIES_KEPT = 256 };
+struct kept_species {
+    const char *path;
+    struct wf_species species;
+};
+
+struct wf_tree_columns {
+    struct wf_arena arena;
+    struct wf_units *units;
+    const struct wf_assess_options *line;
+    const struct wf_rows *rows;
+    size_t *option; /* by column: row of the command's options; (size_t)-1: it is none of them */
+    const struct known **as;
+    double *factor; /* by column: to SI; NAN: the option's own unit */
+    bool stands;    /* there is a column of the spacing */
+    size_t kept;
+    struct kept_species keep[SPECIES_KEPT];
+};
+
+static const size_t NONE = (size_t)-1;
+
+/* A name as it is compared: letters of ASCII small, '_' for blanks and '-'. */
+static void plain_name(const char *name, size_t n, char *out, size_t size)
+{
+    size_t used = 0;
+    while (n && strchr(" _-", name[n - 1])) n--;
+    for (size_t i = 0; i < n && used + 1 < size; i++) {
+        unsigned char c = (unsigned char)name[i];
+        out[used++] = c == ' ' || c == '-' ? '_' : (char)(c < 128 ? tolower(c) : c);
+    }
+    out[used] = '\0';
+}
+
+static bool among(const char *names, const char *name)
+{
+    size_t n = strlen(name);
+    for (const char *at = names; n && *at; at += strcspn(at, " "), at += *at == ' ')
+        if (strcspn(at, " ") == n && !strncmp(at, name, n)) return true;
+    return false;
+}
+
+static bool is_called(const struct known *k, const char *name)
+{
+    char own[40];
+    plain_name(k->option + 2, strlen(k->option + 2), own, sizeof own);
+    return !strcmp(own, name) || among(k->names, name);
+}
+
+static size_t row_of(const struct wf_option *rows, const char *name)
+{
+    for (size_t k = 0; rows[k].name; k++)
+        if (!strcmp(rows[k].name, name)) return k;
+    return NONE;
+}
+
+/* Recognise one column: its whole name, or what is left without a unit. */
+static void recognise(struct wf_tree_columns *c, const char *name, size_t at)
+{
+    const struct wf_option *rows = c->line->run.args.option;
+    char whole[120], less[120];
+    plain_name(name, strlen(name), whole, sizeof whole);
+    c->option[at] = NONE, c->factor[at] = NAN;
+    for (size_t k = 0; k < WF_COUNT(known); k++) {
+        size_t row = row_of(rows, known[k].option), stem;
+        double factor = NAN;
+        struct wf_err unsaid = { WF_OK, "" };
+        bool unit = rows[row].kind == WF_OPTION_NUMBER && rows[row].dimension != WF_DIM_NONE &&
+                    wf_name_unit(c->units, name, rows[row].dimension, &factor, &stem, &unsaid);
+        plain_name(name, unit ? stem : 0, less, sizeof less);
+        if (!is_called(&known[k], whole) && !(unit && is_called(&known[k], less))) continue;
+        c->option[at] = row, c->as[at] = &known[k];
+        if (unit && !is_called(&known[k], whole)) c->factor[at] = factor;
+        c->stands = c->stands || !strcmp(known[k].option, "--spacing");
+        return;
+    }
+}
+
+/* ---- Added columns ---- */
+
+static void put_number(double x, FILE *to)
+{
+    if (isfinite(x)) fprintf(to, "%.5g", x);
+}
+
+/* A text as a cell: in quotes where it needs them; a spreadsheet must not take it for a formula. */
+static void put_text(const char *text, char separator, FILE *to)
+{
+    bool quote = strpbrk(text, "\"\r\n") || strchr(text, separator);
+    if (quote) fputc('"', to);
+    if (*text && strchr("=+-@\t", *text)) fputc('\'', to);
+    for (const char *p = text; *p; p++) {
+        if (*p == '"') fputc('"', to);
+        fputc(*p, to);
+    }
+    if (quote) fputc('"', to);
+}
+
+static const char *state_word(const struct wf_tree_row *r)
+{
+    static const char *const word[] = { "", "", "assessed", "mistake", "failed" };
+    return word[r->state];
+}
+
+static const struct wf_critical *loss(const struct wf_row_result *r, enum wf_criterion_id *by)
+{
+    struct wf_verdict v = wf_verdict_of(r->an.breaks);
+    *by = v.criterion;
+    return v.loss ? &v.loss->critical : NULL;
+}
+
+static void put_result(const struct wf_row_result *r, char separator, bool years, FILE *to)
+{
+    const struct wf_assessment *x = &r->x;
+    enum wf_criterion_id by;
+    const struct wf_critical *c = loss(r, &by);
+    bool found = c && c->outcome == WF_CRITICAL_FOUND;
+    put_text(wf_assess_rows[x->word].name, separator, to);
+    const double number[] = { x->breakage.safety,
+                              x->sound,
+                              x->overturning.safety,
+                              x->low,
+                              x->high,
+                              found ? c->speed : (double)NAN,
+                              found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN };
+    for (size_t k = 0; k < WF_COUNT(number); k++) fputc(separator, to), put_number(number[k], to);
+    fputc(separator, to);
+    if (found) put_text(wf_criteria[by].name, separator, to);
+    if (!years) return;
+    fputc(separator, to), put_number(x->years_least || x->years_most ? (double)NAN : x->years, to);
+    fputc(separator, to), put_number(x->breakage.height, to);
+}
+
+#define RESULT(p)                                                                                            \
+    p "verdict", p "safety_breakage", p "safety_sound", p "safety_overturning", p "safety_low",              \
+        p "safety_high", p "critical_wind_m_s", p "critical_gust_m_s", p "lost_by"
+static const char *const added[] = {
+    "wf_status",           "wf_reason",   RESULT("wf_"), "wf_return_period_years",
+    "wf_section_height_m", "wf_warnings", NULL
+};
+static const char *const added_stand[] = { RESULT("wf_stand_"), NULL };
+
+void wf_tree_header_write(const struct wf_tree_columns *c, const char *header, FILE *to)
+{
+    fputs(header, to);
+    for (const char *const *n = added; *n; n++) fprintf(to, "%c%s", c->rows->separator, *n);
+    for (const char *const *n = added_stand; *n && c->stands; n++)
+        fprintf(to, "%c%s", c->rows->separator, *n);
+    fputc('\n', to);
+}
+
+static void put_nothing(size_t cells, char separator, FILE *to)
+{
+    for (size_t k = 1; k < cells; k++) fputc(separator, to);
+}
+
+static void put_warnings(const struct wf_diag *d, char separator, FILE *to)
+{
+    char text[400] = "";
+    for (const struct wf_finding *f = d->first; f; f = f->next) {
+        size_t n = strlen(text);
+        if (f->severity != WF_WARNING || !f->code || strstr(text, f->code)) continue;
+        (void)snprintf(text + n, sizeof text - n, "%s%s", n ? " " : "", f->code);
+    }
+    put_text(text, separator, to);
+}
+
+void wf_tree_row_write(const struct wf_tree_columns *c, const struct wf_tree_row *row, FILE *to)
+{
+    const char s = c->rows->separator;
+    const size_t cells = WF_COUNT(added) - 4, stand = WF_COUNT(added_stand) - 1;
+    fputs(row->text, to);
+    if (row->state != WF_ROW_BLANK) {
+        fputc(s, to), put_text(state_word(row), s, to);
+        fputc(s, to), put_text(row->reason ? row->reason : "", s, to);
+        fputc(s, to);
+        if (row->state == WF_ROW_DONE)
+            put_result(&row->single, s, true, to);
+        else
+            put_nothing(cells, s, to);
+        fputc(s, to), put_warnings(&row->diag, s, to);
+        if (c->stands) {
+            fputc(s, to);
+            if (row->state == WF_ROW_DONE && row->stand.asked)
+                put_result(&row->stand, s, false, to);
+            else
+                put_nothing(stand, s, to);
+        }
+    }
+    fputc('\n', to);
+}
+
+/* ---- Opening ---- */
+
+static enum wf_status refuse_doubles(const struct wf_tree_columns *c, const struct wf_rows *r,
+                                     struct wf_err *e)
+{
+    for (size_t i = 0; i < r->columns; i++) {
+        if (!strncmp(r->name[i], "wf_", 3))
+            return wf_fail(e, WF_EINPUT,
+                           "%s: column '%.60s' has a name that this command adds; take out the columns of an "
+                           "earlier assessment",
+                           r->file, r->name[i]);
+        for (size_t j = 0; j < i; j++)
+            if (c->option[i] != NONE && c->option[i] == c->option[j])
+                return wf_fail(e, WF_EINPUT,
+                               "%s: columns '%.60s' and '%.60s' are both taken as %s; rename one", r->file,
+                               r->name[j], r->name[i], c->as[i]->option);
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct wf_rows *r,
+                                    const struct wf_assess_options *line, struct wf_err *e)
+{
+    struct wf_tree_columns *c = *out = calloc(1, sizeof *c);
+    if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    c->rows = r, c->line = line;
+    c->option = WF_TAKE(&c->arena, r->columns, size_t);
+    c->as = WF_TAKE(&c->arena, r->columns, const struct known *);
+    c->factor = WF_TAKE(&c->arena, r->columns, double);
+    if (!c->option || !c->as || !c->factor) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    enum wf_status s = wf_units_open(&c->units, e);
+    for (size_t k = 0; k < r->columns && !s; k++) recognise(c, r->name[k], k);
+    return s ? s : refuse_doubles(c, r, e);
+}
+
+void wf_tree_columns_close(struct wf_tree_columns *c)
+{
+    if (!c) return;
+    wf_units_close(c->units);
+    wf_arena_free(&c->arena);
+    free(c);
+}
+
+const char *wf_tree_columns_text(const struct wf_tree_columns *c, struct wf_arena *a)
+{
+    const char *taken = "", *kept = "";
+    for (size_t k = 0; k < c->rows->columns && taken && kept; k++)
+        if (c->option[k] != NONE)
+            taken = wf_arena_print(a, "%s%s'%s' as %s", taken, *taken ? ", " : "", c->rows->name[k],
+                                   c->as[k]->option);
+        else
+            kept = wf_arena_print(a, "%s%s'%s'", kept, *kept ? ", " : "", c->rows->name[k]);
+    return wf_arena_print(a, "columns taken: %s; only kept: %s", *taken ? taken : "none",
+                          *kept ? kept : "none");
+}
+
+/* ---- Reading a row ---- */
+
+/* A cell as an option takes it: a plain number in SI where the column has a unit, with a decimal point. NULL:
+ * no memory. */
+static const char *value_of(const struct wf_tree_columns *c, size_t column, const char *cell,
+                            struct wf_arena *a)
+{
+    const struct wf_option *o = &c->line->run.args.option[c->option[column]];
+    double v;
+    if (wf_csv_missing(cell, strlen(cell))) return "";
+    if (o->kind != WF_OPTION_NUMBER) return wf_arena_text(a, cell);
+    const char *end = cell + strlen(cell), *stop = wf_number_read(cell, end, '.', &v);
+    if (c->rows->separator != ',' && stop && *stop == ',') stop = wf_number_read(cell, end, ',', &v);
+    if (!stop) return wf_arena_text(a, cell);
+    if (*stop) return wf_arena_print(a, "%.17g%s", v, stop);
+    if (isnan(c->factor[column])) return wf_arena_print(a, "%.17g", v);
+    return wf_arena_print(a, "%.17g %s", v * c->factor[column], wf_dimension_row(o->dimension)->si);
+}
+
+/* Does a cell name a file? A table may come from anywhere: its cells open none. */
+static bool names_file(const char *option, const char *cell)
+{
+    const char *colon = strchr(cell, ':');
+    if (wf_csv_missing(cell, strlen(cell))) return false;
+    if (!strcmp(option, "--cavity") && !(colon && isdigit((unsigned char)colon[1]))) return true;
+    return strchr(cell, '/') || strstr(cell, ".csv") || strstr(cell, ".yaml");
+}
+
+/* Options of the row, without or with those of a stand. */
+static enum wf_status read_options(const struct wf_tree_columns *c, const struct wf_rows *r, bool stand,
+                                   struct wf_tree_row *row, struct wf_assess_options *out, struct wf_err *e)
+{
+    size_t option[WF_COUNT(known) + 1], n = 0;
+    const char *cell[WF_COUNT(known) + 1];
+    struct wf_sink sink;
+    for (size_t k = 0; k < r->cells && k < r->columns; k++) {
+        if (c->option[k] == NONE || (c->as[k]->stand && !stand)) continue;
+        option[n] = c->option[k];
+        if (!(cell[n++] = value_of(c, k, r->cell[k], &row->arena)))
+            return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
+        if (!row->reason && names_file(c->as[k]->option, r->cell[k]))
+            row->reason = wf_arena_print(&row->arena, "%s: '%.60s' names a file; cells of a table open none",
+                                         r->name[k], r->cell[k]);
+    }
+    if (stand) option[n] = row_of(c->line->run.args.option, "--peak"), cell[n++] = "gales";
+    *out = *c->line; /* what is no option */
+    bool right = wf_args_read_cells(&c->line->run.args, "assess", option, cell, n, c->units, &row->arena,
+                                    &out->run.args, &sink);
+    if (!right && !row->reason) row->reason = wf_arena_text(&row->arena, sink.text);
+    if (!WF_GIVEN(&c->line->run, samples)) out->run.samples = 0;
+    out->run.threads = 1;
+    return WF_OK;
+}
+
+/* The species of a name, read once. NULL: it cannot be read; the reason is in the row. */
+static const struct wf_species *species_of(struct wf_tree_columns *c, const char *name, bool cell,
+                                           struct wf_tree_row *row)
+{
+    struct wf_err why = { WF_OK, "" };
+    struct wf_diag d = { .arena = &row->arena };
+    const char *path = name;
+    enum wf_status s = cell ? wf_shipped_path(wf_share(), "species", name, &row->arena, &path, &why)
+                            : wf_shipped("species", name, &row->arena, &path, &d, &why);
+    for (size_t k = 0; k < c->kept && !s; k++)
+        if (!strcmp(c->keep[k].path, path)) return &c->keep[k].species;
+    if (!s && c->kept == SPECIES_KEPT) s = wf_fail(&why, WF_EINPUT, "more than %d species", SPECIES_KEPT);
+    struct kept_species *k = &c->keep[c->kept];
+    if (!s) s = wf_species_read(path, &wf_laws, &c->arena, &k->species, &d, &why);
+    if (!s && (k->path = wf_arena_text(&c->arena, path))) {
+        c->kept++;
+        return &k->species;
+    }
+    row->reason = wf_arena_print(&row->arena, "species: %s", d.first ? d.first->text : why.text);
+    return NULL;
+}
+
+/* The first mistake that was found, else the error, as the row's reason. */
+static void take_reason(struct wf_tree_row *row, const struct wf_err *why)
+{
+    for (const struct wf_finding *f = row->diag.first; f && !row->reason; f = f->next)
+        if (f->severity == WF_ERROR) row->reason = f->text;
+    if (!row->reason) row->reason = wf_arena_text(&row->arena, why->text);
+}
+
+/* From options to what is computed. Mistakes become the row's reason. */
+static void prepare(struct wf_tree_columns *c, struct wf_tree_row *row, struct wf_row_result *out)
+{
+    struct wf_err why = { WF_OK, "" };
+    bool cell =
+        row_of(c->line->run.args.option, "--species") != NONE && out->options.species != c->line->species;
+    if (!row->species && !(row->species = species_of(c, out->options.species, cell, row))) return;
+    enum wf_status s =
+        wf_assess_model(&out->options, row->species, &row->arena, &row->model, &row->diag, &why);
+    if (!s) s = wf_analyze_request_read(&out->options.run, &row->arena, &row->diag, &out->request, &why);
+    out->request.search.bare = true;
+    if (!WF_GIVEN(&c->line->run, mesh_tolerance)) { /* as for the samples of an interval */
+        out->request.solve.mesh_tolerance = 0.0;
+        out->request.solve.tolerance = fmax(out->request.solve.tolerance, 1e-2); /* its square is left */
+    }
+    out->asked = !s;
+    if (s) take_reason(row, &why);
+}
+
+static bool any_stand_cell(const struct wf_tree_columns *c, const struct wf_rows *r)
+{
+    for (size_t k = 0; k < r->cells && k < r->columns; k++)
+        if (c->option[k] != NONE && !strcmp(c->as[k]->option, "--spacing") &&
+            !wf_csv_missing(r->cell[k], strlen(r->cell[k])))
+            return true;
+    return false;
+}
+
+/* The row as it is written: as it is, with the cells it lacks; or rebuilt where it is not in the columns of
+ * the table. */
+static const char *text_of(const struct wf_rows *r, struct wf_tree_row *row)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    if (!to) return NULL;
+    if (r->wrong) {
+        put_text(r->raw, r->separator, to);
+        put_nothing(r->columns, r->separator, to);
+    } else if (r->cells <= r->columns) {
+        fputs(r->raw, to);
+        put_nothing(r->columns - r->cells + 1, r->separator, to);
+    } else {
+        for (size_t k = 0; k < r->columns; k++) {
+            if (k) fputc(r->separator, to);
+            put_text(r->cell[k], r->separator, to);
+        }
+    }
+    bool whole = !fclose(to);
+    const char *kept = whole ? wf_arena_text(&row->arena, text) : NULL;
+    free(text);
+    return kept;
+}
+
+static const char *row_fault(const struct wf_rows *r, struct wf_arena *a)
+{
+    const char *rest = "";
+    if (r->wrong)
+        return wf_arena_print(a, "line %zu: %s; the row stands in the first cell", r->line, r->wrong);
+    if (r->cells == r->columns) return NULL;
+    for (size_t k = r->columns; k < r->cells && rest; k++)
+        rest = wf_arena_print(a, "%s%s'%s'", rest, *rest ? ", " : ": ", r->cell[k]);
+    return wf_arena_print(a, "line %zu: %zu cells for %zu columns%s", r->line, r->cells, r->columns, rest);
+}
+
+enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows *r, struct wf_tree_row *out,
+                                struct wf_err *e)
+{
+    *out = (struct wf_tree_row){ .state = WF_ROW_BLANK };
+    out->diag.arena = &out->arena;
+    if (r->blank) {
+        out->text = wf_arena_text(&out->arena, r->raw);
+        return out->text ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for a row");
+    }
+    out->state = WF_ROW_MISTAKE;
+    out->text = text_of(r, out);
+    out->reason = row_fault(r, &out->arena);
+    if (!out->text) return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
+    if (out->reason) return WF_OK;
+    enum wf_status s = read_options(c, r, false, out, &out->single.options, e);
+    if (!s && !out->reason) prepare(c, out, &out->single);
+    if (!s && !out->reason && any_stand_cell(c, r)) {
+        s = read_options(c, r, true, out, &out->stand.options, e);
+        if (!s && !out->reason) prepare(c, out, &out->stand);
+    }
+    if (!s && !out->reason) out->state = WF_ROW_READ;
+    return s;
+}
+
+/* ---- Assessing it ---- */
+
+static enum wf_status assess_one(struct wf_tree_row *row, struct wf_row_result *r, struct wf_err *e)
+{
+    struct wf_analyze_request *q = &r->request;
+    const struct wf_speeds *wind = &r->options.run.wind;
+    const struct wf_design_words *design = &r->options.run.profile.design;
+    struct wf_assess_direction around[WF_ASSESS_DIRECTIONS];
+    double worst = q->scenario.azimuth;
+    enum wf_status s = WF_OK;
+    if (!wf_assess_is_round(&row->model) && !q->scenario.site)
+        s = wf_assess_around(row->species, &row->model, &q->scenario, q->solver, &q->solve,
+                             wind->speed[wind->n - 1], q->directions.north, around, &worst, e);
+    if (!WF_GIVEN(&r->options.run, azimuth)) q->scenario.azimuth = worst;
+    if (!s)
+        s = wf_analyze(row->species, &row->model, &q->scenario, &q->search, q->solver, &q->solve, wind->speed,
+                       wind->n, &row->arena, &row->diag, &r->an, e);
+    if (!s) s = wf_interval_take(&r->an, &q->solve, &q->interval, true, &row->arena, e);
+    return s ? s : wf_assess(&r->an, &q->solve, r->options.required, design->code ? design : NULL, &r->x, e);
+}
+
+void wf_tree_row_assess(struct wf_tree_row *row)
+{
+    struct wf_err why = { WF_OK, "" };
+    if (row->state != WF_ROW_READ) return;
+    enum wf_status s = assess_one(row, &row->single, &why);
+    if (!s && row->stand.asked) s = assess_one(row, &row->stand, &why);
+    row->state = s ? WF_ROW_FAILED : WF_ROW_DONE;
+    if (s) take_reason(row, &why);
+}

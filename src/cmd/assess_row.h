@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_CMD_ASSESS_ROW_H
+#define WF_CMD_ASSESS_ROW_H
+/* One row of a table of trees: from its cells to an assessment, and to the cells that are added. */
+#include "base/rows.h"
+#include "cmd/assess_card.h"
+#include "study/assessment.h"
+#include <stdio.h>
+
+struct wf_tree_columns; /* which column is which option, and the species that were read */
+
+enum wf_row_state {
+    WF_ROW_BLANK, /* no tree: a comment or a blank line */
+    WF_ROW_READ,  /* to be computed */
+    WF_ROW_DONE,
+    WF_ROW_MISTAKE, /* its cells cannot be assessed */
+    WF_ROW_FAILED   /* the computation failed */
+};
+
+/* One tree in one kind of wind. */
+struct wf_row_result {
+    bool asked;
+    struct wf_assess_options options;
+    struct wf_analyze_request request;
+    struct wf_analysis an;
+    struct wf_assessment x;
+};
+
+struct wf_tree_row {
+    struct wf_arena arena; /* of all below */
+    enum wf_row_state state;
+    const char *text;   /* the row as it is to be written, in the columns of the table */
+    const char *reason; /* NULL: none */
+    const struct wf_species *species;
+    struct wf_model model;
+    struct wf_diag diag;
+    struct wf_row_result single, stand; /* as given; as a tree of a stand, where its spacing is a cell */
+};
+
+/* Recognise the columns of a table by their names, in English, German, French and Chinese, with units in or
+ * behind the name. Given: the header; the options of the command line. Returned: *out, to be closed. Errors:
+ * WF_EINPUT where two columns are the same, or one has the name of an added column; WF_ENOMEM; of the units.
+ */
+enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct wf_rows *r,
+                                    const struct wf_assess_options *line, struct wf_err *e);
+void wf_tree_columns_close(struct wf_tree_columns *c);
+/* Which columns were recognised, "height_m as --height, ..."; and the others. */
+const char *wf_tree_columns_text(const struct wf_tree_columns *c, struct wf_arena *a);
+
+/* Read the current row of the table. Not from two threads at once. Returned: *out with state and reason; its
+ * arena is empty before and is to be freed. Errors: WF_ENOMEM. */
+enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows *r, struct wf_tree_row *out,
+                                struct wf_err *e);
+/* Assess it; in any thread. */
+void wf_tree_row_assess(struct wf_tree_row *row);
+/* Write header and row with the added columns, each with a line end. */
+void wf_tree_header_write(const struct wf_tree_columns *c, const char *header, FILE *to);
+void wf_tree_row_write(const struct wf_tree_columns *c, const struct wf_tree_row *row, FILE *to);
+#endif

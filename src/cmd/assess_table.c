@@ -1,0 +1,250 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/assess_table.h"
+#include "base/file.h"
+#include "base/interrupt.h"
+#include "base/num.h"
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "base/text.h"
+#include "cmd/assess_row.h"
+#include "cmd/commands.h"
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { BATCH = 64 };
+
+struct table {
+    const struct wf_assess_options *line;
+    struct wf_arena arena;
+    struct wf_rows rows;
+    struct wf_tree_columns *columns;
+    const char *out, *partial, *note; /* the table, while it grows, and what it is of */
+    FILE *to;
+    char *before; /* lines before the header, and the header */
+    struct wf_tree_row row[BATCH];
+    size_t written; /* rows in the table, blank ones too */
+    size_t done, mistakes, failed;
+    struct timespec began, shown;
+    size_t resumed;
+};
+
+/* ---- What a table that is not finished is of ---- */
+
+/* The command, the program and the input's fingerprint. */
+static char *note_text(struct table *t, const char *command, struct wf_err *e)
+{
+    char sum[WF_SHA256_TEXT];
+    if (wf_sha256_file(t->rows.file, &t->arena, sum, e)) return NULL;
+    char *text = wf_arena_print(&t->arena, "%s\nwindfirm " WF_VERSION "\n%s\n", command, sum);
+    if (!text) (void)wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    return text;
+}
+
+static bool same_note(struct table *t, const char *note)
+{
+    struct wf_bytes found;
+    struct wf_err unsaid = { WF_OK, "" };
+    return wf_file_is_there(t->note) && !wf_file_read(t->note, &t->arena, &found, &unsaid) &&
+           !strcmp(found.data, note);
+}
+
+static void no_lines(void *context, const char *raw) { (void)context, (void)raw; }
+
+static void count_word(struct table *t, const struct wf_rows *r)
+{
+    const char *word = r->cells > t->rows.columns ? r->cell[t->rows.columns] : "";
+    t->done += !strcmp(word, "assessed");
+    t->mistakes += !strcmp(word, "mistake");
+    t->failed += !strcmp(word, "failed");
+}
+
+/* Whole rows that an earlier run wrote, what they say, and the size of the table with them. */
+static size_t count_rows(struct table *t, long *size)
+{
+    struct wf_rows r;
+    struct wf_err unsaid = { WF_OK, "" };
+    size_t n = 0;
+    *size = 0;
+    bool more = !wf_rows_open(&r, t->partial, no_lines, NULL, &unsaid);
+    if (more) *size = ftell(r.stream) - (long)r.held_size;
+    while (more && (more = wf_rows_next(&r))) {
+        long end = ftell(r.stream) - (long)r.held_size;
+        if (r.wrong || end - *size == (long)r.size) break; /* its line end is missing */
+        *size = end, n++;
+        count_word(t, &r);
+    }
+    wf_rows_close(&r);
+    return n;
+}
+
+static enum wf_status out_error(const struct table *t, struct wf_err *e)
+{
+    return wf_fail(e, WF_EOUTPUT, "%s: %s", t->partial, strerror(errno ? errno : EIO));
+}
+
+/* Go on with the table of an earlier run of this command. Returned: false when there is none. */
+static bool go_on(struct table *t, const char *note)
+{
+    long size;
+    if (!wf_file_is_there(t->partial) || !same_note(t, note)) return false;
+    size_t n = count_rows(t, &size);
+    if (!n || truncate(t->partial, size) || !(t->to = fopen(t->partial, "ab"))) return false;
+    for (t->resumed = 0; t->resumed < n && wf_rows_next(&t->rows);) t->resumed++;
+    t->written = t->resumed;
+    return true;
+}
+
+static enum wf_status write_note(const struct table *t, const char *note, struct wf_err *e)
+{
+    struct wf_file f;
+    enum wf_status s = wf_file_begin(&f, t->note, e);
+    if (s) return s;
+    fputs(note, f.stream);
+    return wf_file_commit(&f, e);
+}
+
+static enum wf_status begin_table(struct table *t, const char *note, struct wf_err *e)
+{
+    errno = 0;
+    if (go_on(t, note)) return WF_OK;
+    if (!(t->to = fopen(t->partial, "wb"))) return out_error(t, e);
+    enum wf_status s = write_note(t, note, e);
+    if (s) return s;
+    wf_tree_header_write(t->columns, t->before, t->to);
+    return WF_OK;
+}
+
+/* ---- Rows ---- */
+
+static enum wf_status assess(void *context, size_t k, struct wf_err *e)
+{
+    struct table *t = context;
+    (void)e;
+    wf_tree_row_assess(&t->row[k]);
+    return WF_OK;
+}
+
+static void count(struct table *t, const struct wf_tree_row *r)
+{
+    t->done += r->state == WF_ROW_DONE;
+    t->mistakes += r->state == WF_ROW_MISTAKE;
+    t->failed += r->state == WF_ROW_FAILED;
+}
+
+/* Some rows: read, assess side by side, write in order. Returned: *n rows; 0 at the end. */
+static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    for (*n = 0; *n < BATCH && !s && wf_rows_next(&t->rows);)
+        s = wf_tree_row_read(t->columns, &t->rows, &t->row[(*n)++], e);
+    if (!s) s = wf_parallel(*n, t->line->run.threads, assess, t, e);
+    for (size_t k = 0; k < *n; k++) {
+        if (!s) wf_tree_row_write(t->columns, &t->row[k], t->to), count(t, &t->row[k]), t->written++;
+        wf_arena_free(&t->row[k].arena);
+    }
+    if (!s && fflush(t->to)) s = out_error(t, e);
+    return s;
+}
+
+static double since(const struct timespec *from)
+{
+    struct timespec now;
+    (void)clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)(now.tv_sec - from->tv_sec) + 1e-9 * (double)(now.tv_nsec - from->tv_nsec);
+}
+
+/* On a terminal a line that is written over; else a line every ten seconds. */
+static void show(struct table *t, bool last)
+{
+    bool live = isatty(STDERR_FILENO);
+    double run = since(&t->began);
+    size_t fresh = t->written - t->resumed;
+    if (t->line->run.args.quiet || (!last && since(&t->shown) < (live ? 0.5 : 10))) return;
+    (void)clock_gettime(CLOCK_MONOTONIC, &t->shown);
+    if (live && !last) fputs("\r", stderr);
+    wf_show(stderr, "%zu rows: %zu assessed, %zu with mistakes, %zu failed; %.3g/s", t->written, t->done,
+            t->mistakes, t->failed, run > 0 ? (double)fresh / run : 0);
+    fputs(live && !last ? "\033[K" : "\n", stderr);
+    fflush(stderr);
+}
+
+static enum wf_status all_rows(struct table *t, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    (void)clock_gettime(CLOCK_MONOTONIC, &t->began);
+    t->shown = t->began;
+    for (size_t n = 1; n && !s && !wf_interrupted();) {
+        s = batch(t, &n, e);
+        show(t, false);
+    }
+    if (isatty(STDERR_FILENO)) fputs("\r\033[K", stderr);
+    show(t, true);
+    if (s || !wf_interrupted()) return s;
+    return wf_fail(e, WF_EINTERRUPTED, "interrupted after %zu rows; the same command goes on from %s",
+                   t->written, t->partial);
+}
+
+/* ---- The run ---- */
+
+static void keep_line(void *context, const char *raw)
+{
+    struct table *t = context;
+    char *more = wf_arena_print(&t->arena, "%s%s%s", t->before ? t->before : "", t->before ? "\n" : "", raw);
+    if (more) t->before = more;
+}
+
+static enum wf_status finish(struct table *t, struct wf_err *e)
+{
+    bool whole = !ferror(t->to) && !fclose(t->to);
+    t->to = NULL;
+    if (!whole || rename(t->partial, t->out)) return out_error(t, e);
+    (void)unlink(t->note);
+    return WF_OK;
+}
+
+static enum wf_status run(struct table *t, const char *file, const char *command, struct wf_err *e)
+{
+    t->out = t->line->run.output;
+    if (!t->out)
+        return wf_fail(e, WF_EUSAGE, "-o is needed: the table to be written, for example -o assessed.csv");
+    t->partial = wf_arena_print(&t->arena, "%s.partial", t->out);
+    t->note = wf_arena_print(&t->arena, "%s.partial.run", t->out);
+    if (!t->partial || !t->note) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    enum wf_status s = wf_rows_open(&t->rows, file, keep_line, t, e);
+    if (!s) s = wf_tree_columns_open(&t->columns, &t->rows, t->line, e);
+    const char *note = s ? NULL : note_text(t, command, e);
+    if (s || !note) return e->code;
+    if (!t->line->run.args.quiet)
+        wf_show(stderr, "%s: %s\n", file, wf_tree_columns_text(t->columns, &t->arena));
+    wf_interrupt_catch();
+    wf_progress_watch(NULL);
+    if ((s = begin_table(t, note, e))) return s;
+    if (t->resumed && !t->line->run.args.quiet)
+        wf_show(stderr, "goes on after %zu rows of %s\n", t->resumed, t->partial);
+    s = all_rows(t, e);
+    return s ? s : finish(t, e);
+}
+
+int wf_assess_table(const char *file, const struct wf_assess_options *line, const char *command)
+{
+    struct table *t = calloc(1, sizeof *t);
+    struct wf_err e = { WF_OK, "" };
+    int code = 1;
+    if (!t) return wf_complain(&(struct wf_err){ WF_ENOMEM, "not enough memory for a table" });
+    t->line = line;
+    enum wf_status s = run(t, file, command, &e);
+    if (s)
+        code = wf_complain(&e);
+    else
+        code = t->mistakes ? 2 : t->failed ? 1 : 0;
+    if (t->to) fclose(t->to);
+    wf_rows_close(&t->rows);
+    wf_tree_columns_close(t->columns);
+    wf_arena_free(&t->arena);
+    free(t);
+    return code;
+}

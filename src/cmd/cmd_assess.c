@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm assess: from what a person measures on a tree to whether it is safe enough. */
+#include "base/num.h"
+#include "cmd/analyze_run.h"
+#include "cmd/args.h"
+#include "cmd/assess_card.h"
+#include "cmd/assess_print.h"
+#include "cmd/assess_table.h"
+#include "data/species.h"
+#include "study/assessment.h"
+#include <math.h>
+
+struct work {
+    struct wf_analyze_work run; /* comes first: the hooks are called with it */
+    struct wf_assess_options options;
+    size_t directions; /* 0: all alike */
+    struct wf_assess_direction direction[WF_ASSESS_DIRECTIONS];
+};
+
+/* The card's model. A species that cannot be read is reported by the run. */
+static enum wf_status take_tree(struct wf_analyze_work *run, struct wf_diag *d, struct wf_err *e)
+{
+    struct work *w = (struct work *)run;
+    struct wf_species *sp = WF_TAKE(&run->arena, 1, struct wf_species);
+    struct wf_diag unsaid = { .arena = &run->arena };
+    struct wf_err why = { WF_OK, "" };
+    if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
+    bool known = !wf_species_named(w->options.species, &run->arena, sp, &unsaid, &why);
+    return wf_assess_model(&w->options, known ? sp : NULL, &run->arena, &run->model, d, e);
+}
+
+/* Where directions differ, the weakest is taken, unless one is specified. */
+static enum wf_status take_direction(struct wf_analyze_work *run, struct wf_err *e)
+{
+    struct work *w = (struct work *)run;
+    struct wf_analyze_request *q = &run->request;
+    double worst = q->scenario.azimuth;
+    q->search.bare = !run->folder;
+    if (wf_assess_is_round(&run->model) || q->scenario.site) return WF_OK;
+    w->directions = WF_ASSESS_DIRECTIONS;
+    enum wf_status s = wf_assess_around(run->species, &run->model, &q->scenario, q->solver, &q->solve,
+                                        run->options.wind.speed[run->options.wind.n - 1], q->directions.north,
+                                        w->direction, &worst, e);
+    if (!s && !WF_GIVEN(&run->options, azimuth)) q->scenario.azimuth = worst;
+    return s;
+}
+
+static enum wf_status take_assessment(struct wf_analyze_work *run, struct wf_analysis *an, struct wf_err *e)
+{
+    struct work *w = (struct work *)run;
+    struct wf_assessment *out = WF_TAKE(&run->arena, 1, struct wf_assessment);
+    const struct wf_design_words *design = &run->options.profile.design;
+    if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for an assessment");
+    if (wf_assess(an, &run->request.solve, w->options.required, design->code ? design : NULL, out, e))
+        return e->code;
+    out->directions = w->directions, out->direction = w->direction;
+    an->assessment = out;
+    if (!run->options.args.quiet) wf_print_assessment(stdout, an);
+    return WF_OK;
+}
+
+static const struct wf_analyze_hooks hooks = { take_tree, take_direction, take_assessment };
+
+static const char about[] =
+    "A tree is described by what is measured on it with a tape and a height meter, as options or in a card, "
+    "a "
+    "YAML file with the same keys that begins with 'card:'. The verdict is a word: sufficient, incomplete, "
+    "uncertain, insufficient, lost or unknown; docs/assess.md says when each is given.\n"
+    "\n"
+    "  windfirm assess --species oak --height 20m --girth 2.5m --crown-width 14m \\\n"
+    "      --crown-base 4m --soil mineral --design en1991 --basic-wind 25 --terrain III\n"
+    "  windfirm assess models/cards/oak.yaml -o out/oak\n"
+    "\n"
+    "Or by a table, a tree a row: its columns are recognised by their names, and the same table is written "
+    "with the assessments behind. Options then hold for all rows.\n"
+    "\n"
+    "  windfirm assess trees.csv -o assessed.csv --design en1991 --basic-wind 25";
+
+int wf_cmd_assess(int argc, char **argv)
+{
+    static struct work w;
+    struct wf_err e = { 0 };
+    struct wf_analyze_work *run = &w.run;
+    (void)clock_gettime(CLOCK_REALTIME, &run->started);
+    int code = wf_args_read(argc, argv, wf_assess_options_of(&w.options), about, 0, 1, &run->arena,
+                            &w.options.run.args);
+    if (code < 0 && w.options.run.args.n) {
+        const char *table = w.options.run.args.operand[0], *ending = strrchr(table, '.');
+        if (ending && (!strcmp(ending, ".yaml") || !strcmp(ending, ".yml"))) {
+            wf_show(stderr, "windfirm assess: %s: a card begins with 'card:' and the name of the tree\n",
+                    table);
+            code = 2;
+        }
+    }
+    if (code < 0 && w.options.run.args.n) {
+        const char *command = wf_command_line(argc, argv, &run->arena);
+        code = command ? wf_assess_table(w.options.run.args.operand[0], &w.options, command) : 1;
+    }
+    if (code < 0) {
+        const char **species = WF_TAKE(&run->arena, 1, const char *);
+        run->options = w.options.run;
+        run->hooks = &hooks;
+        run->folder = run->options.output;
+        if (species)
+            *species = w.options.species, run->options.args.n = 1, run->options.args.operand = species;
+        code = species && wf_analyze_run(run, argc, argv, &e) == WF_OK ? 0 : wf_complain(&e);
+        wf_run_abandon(&run->results);
+    }
+    wf_arena_free(&run->arena);
+    return code;
+}

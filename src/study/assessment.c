@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/assessment.h"
+#include "data/model.h"
+#include "study/directions.h"
+#include "study/interval.h"
+#include "study/sway.h"
+#include "study/verdict.h"
+#include "wind/design.h"
+#include <math.h>
+
+const struct wf_assess_row wf_assess_rows[WF_ASSESS_WORDS] = {
+    [WF_ASSESS_UNKNOWN] = { "unknown", "nothing could be assessed" },
+    [WF_ASSESS_LOST] = { "lost", "as computed, the tree is lost in this wind" },
+    [WF_ASSESS_INSUFFICIENT] = { "insufficient", "the safety is below the required one" },
+    [WF_ASSESS_UNCERTAIN] = { "uncertain", "enough as computed, but that is not sure" },
+    [WF_ASSESS_INCOMPLETE] = { "incomplete", "what was assessed is enough, but not all was assessed" },
+    [WF_ASSESS_SUFFICIENT] = { "sufficient", "enough by all that was assessed" },
+};
+
+const char *const wf_assess_reasons[] = { "no-overturning", "no-elastic-limit", "no-interval",
+                                          "low-end",        "saturated-soil",   NULL };
+
+/* ---- Safeties at a wind ---- */
+
+static double part_height(const struct wf_tree *t, const struct wf_worst *w)
+{
+    return w->row < 0 ? (double)NAN : t->z0[w->row] + w->place * (t->z1[w->row] - t->z0[w->row]);
+}
+
+/* The least safety of the stem by criteria of its sections that lose the tree, or of which practice wants
+ * more than 1; or by those of the whole tree that lose it. */
+static struct wf_assess_part part_at(const struct wf_tree *t, const struct wf_at_speed *at, bool whole)
+{
+    struct wf_assess_part out = { .safety = NAN, .row = -1, .height = NAN };
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *x = &wf_criteria[c];
+        const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
+        bool counts = x->whole == whole && (x->loses_tree || x->required > 0);
+        if (!counts || !wf_criterion_known(x, t, WF_SCOPE_STEM)) continue;
+        double safety = at->status ? 0 : w->safety;
+        if (isnan(safety) || out.safety <= safety) continue;
+        out = (struct wf_assess_part){ safety, (enum wf_criterion_id)c, w->row, part_height(t, w) };
+    }
+    return out;
+}
+
+/* The tree of a scenario in one wind. Returned: *an, with tree and peak, its columns in `a`. */
+static enum wf_status set_up(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                             struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_diag unsaid = { .arena = a };
+    enum wf_status s = wf_analysis_set_up(an, o, a, &unsaid, e);
+    return s ? s : wf_sway_set_up(an, o, &speed, 1, a, NULL, e);
+}
+
+/* ---- All directions ---- */
+
+bool wf_assess_is_round(const struct wf_model *m)
+{
+    bool round = m->generator == WF_GENERATOR_STEM && m->lean == 0 && !m->sections;
+    for (size_t k = 0; k < m->cavities && round; k++)
+        round = !isnan(m->cavity[k].wall) && m->cavity[k].offset == 0 && m->cavity[k].opening == 0;
+    return round;
+}
+
+/* One direction of an analysis that is set up; its sway is that along this wind. */
+static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve_options *o, double speed,
+                           double azimuth, struct wf_at_speed *at, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_analysis an = *from;
+    an.scenario.azimuth = azimuth;
+    an.wind.direction[0] = cos(azimuth), an.wind.direction[1] = sin(azimuth);
+    an.loads.wind = &an.wind;
+    enum wf_status s = wf_sway_set_up(&an, o, &speed, 1, &scratch, NULL, e);
+    if (!s) s = wf_speed_totals(&an, o, speed, at, e);
+    wf_arena_free(&scratch);
+    return s;
+}
+
+enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_model *m,
+                                const struct wf_scenario *sc, const struct wf_solver *solver,
+                                const struct wf_solve_options *o, double speed, double north,
+                                struct wf_assess_direction *out, double *worst, struct wf_err *e)
+{
+    const struct wf_directions_request place = { .north = north };
+    struct wf_arena scratch = { 0 };
+    struct wf_analysis an = { .species = sp, .model = m, .solver = solver, .scenario = *sc };
+    double least = INFINITY;
+    enum wf_status s = set_up(&an, o, speed, &scratch, e);
+    for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !s; k++) {
+        struct wf_at_speed at;
+        double azimuth = m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS;
+        if ((s = turn(&an, o, speed, azimuth, &at, e))) break;
+        out[k] = (struct wf_assess_direction){ wf_direction_from(&place, azimuth),
+                                               part_at(&an.tree, &at, false).safety,
+                                               part_at(&an.tree, &at, true).safety };
+        double own = fmin(out[k].breakage, out[k].overturning);
+        if (own < least) least = own, *worst = azimuth;
+    }
+    wf_arena_free(&scratch);
+    return s;
+}
+
+/* ---- One analysis ---- */
+
+/* Safety against breakage with sound and full sections, in the same wind. */
+static enum wf_status find_sound(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                 struct wf_assessment *out, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_model sound = *an->model;
+    struct wf_analysis beside = {
+        .species = an->species, .model = &sound, .solver = an->solver, .scenario = an->scenario
+    };
+    struct wf_at_speed at;
+    out->sound = out->breakage.safety;
+    if (!an->model->cavities) return WF_OK;
+    sound.cavities = 0;
+    enum wf_status s = set_up(&beside, o, out->speed, &scratch, e);
+    if (!s) s = wf_speed_totals(&beside, o, out->speed, &at, e);
+    if (!s) out->sound = part_at(&beside.tree, &at, false).safety;
+    wf_arena_free(&scratch);
+    return s;
+}
+
+/* How often the critical wind blows, by the code of the given wind. */
+static void find_years(const struct wf_analysis *an, const struct wf_design_words *design,
+                       struct wf_assessment *out)
+{
+    struct wf_verdict v = wf_verdict_of(an->breaks);
+    const struct wf_critical *c = v.loss ? &v.loss->critical : NULL;
+    out->years = NAN;
+    if (!design || !design->code) {
+        out->years_unknown = "the wind was not given by a code";
+    } else if (!c || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_ABOVE)) {
+        out->years_unknown = "no critical wind was found";
+    } else {
+        double speed = c->outcome == WF_CRITICAL_FOUND ? c->speed : c->speed_high;
+        int end = 0;
+        out->years = wf_design_years(design, speed / out->speed, &end);
+        out->years_least = end<0, out->years_most = end> 0 || c->outcome == WF_CRITICAL_ABOVE;
+        if (isnan(out->years)) out->years_unknown = "the code gives one wind, from its maps";
+    }
+}
+
+static void find_reasons(const struct wf_analysis *an, struct wf_assessment *out)
+{
+    const struct wf_criterion *elastic = &wf_criteria[WF_ELASTIC_LIMIT];
+    if (isnan(out->overturning.safety)) out->because |= WF_ASSESS_NO_OVERTURNING;
+    if (!wf_criterion_known(elastic, &an->tree, WF_SCOPE_STEM)) out->because |= WF_ASSESS_NO_ELASTIC;
+    if (isnan(out->low)) out->because |= WF_ASSESS_NO_INTERVAL;
+    if (out->low < out->required) out->because |= WF_ASSESS_LOW_END;
+    if (out->wet_low <= 1) out->because |= WF_ASSESS_WET;
+}
+
+static enum wf_assess_word word_of(const struct wf_assessment *x, bool lost)
+{
+    double least = fmin(x->breakage.safety, x->overturning.safety);
+    const unsigned doubt = WF_ASSESS_LOW_END | WF_ASSESS_WET;
+    if (lost) return WF_ASSESS_LOST;
+    if (isnan(x->breakage.safety)) return least < x->required ? WF_ASSESS_INSUFFICIENT : WF_ASSESS_UNKNOWN;
+    if (least < x->required) return WF_ASSESS_INSUFFICIENT;
+    if (x->because & doubt) return WF_ASSESS_UNCERTAIN;
+    return x->because ? WF_ASSESS_INCOMPLETE : WF_ASSESS_SUFFICIENT;
+}
+
+enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
+                         const struct wf_design_words *design, struct wf_assessment *out, struct wf_err *e)
+{
+    const struct wf_at_speed *at = &an->at[an->n - 1];
+    *out = (struct wf_assessment){ .required = required,
+                                   .speed = at->speed,
+                                   .breakage = part_at(&an->tree, at, false),
+                                   .overturning = part_at(&an->tree, at, true),
+                                   .wet_low = at->worst[WF_OVERTURNING_WETTEST][WF_SCOPE_STEM].safety,
+                                   .wet_high = at->worst[WF_OVERTURNING_WET][WF_SCOPE_STEM].safety,
+                                   .low = NAN,
+                                   .high = NAN };
+    if (an->interval) {
+        const struct wf_interval_at *i = &an->interval->at[an->interval->winds - 1];
+        out->low = i->wanted_low, out->high = i->wanted_high;
+    }
+    enum wf_status s = find_sound(an, o, out, e);
+    if (s) return s;
+    find_years(an, design, out);
+    find_reasons(an, out);
+    out->word = word_of(out, at->status || wf_verdict_safety(at, NULL) <= 1);
+    return WF_OK;
+}

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_STUDY_ASSESSMENT_H
+#define WF_STUDY_ASSESSMENT_H
+/* Is a tree's safety enough? Its least safeties in the strongest given wind against the one that practice
+ * requires, the same tree with sound sections beside it, and a word. */
+#include "study/analysis.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Words of the verdict, from the worst. The first that holds is taken: none says more than was assessed. */
+enum wf_assess_word {
+    WF_ASSESS_UNKNOWN,      /* nothing was assessed */
+    WF_ASSESS_LOST,         /* the tree is lost in this wind: a safety of 1 or less, or no equilibrium */
+    WF_ASSESS_INSUFFICIENT, /* a safety is below the required one */
+    WF_ASSESS_UNCERTAIN,    /* enough as computed, but not at the low end of the interval, or in wet soil */
+    WF_ASSESS_INCOMPLETE,   /* enough, but something that loses trees was not assessed */
+    WF_ASSESS_SUFFICIENT,   /* enough by all that was assessed, at the low end of the interval too */
+    WF_ASSESS_WORDS
+};
+/* Name for files, and a sentence. */
+struct wf_assess_row {
+    const char *name, *text;
+};
+extern const struct wf_assess_row wf_assess_rows[WF_ASSESS_WORDS];
+
+/* Why a word is not better: bits, and their names by the number of the bit; NULL after the last. */
+extern const char *const wf_assess_reasons[];
+enum {
+    WF_ASSESS_NO_OVERTURNING = 1, /* overturning was not assessed */
+    WF_ASSESS_NO_ELASTIC = 2,     /* the species has no compressive strength */
+    WF_ASSESS_NO_INTERVAL = 4,
+    WF_ASSESS_LOW_END = 8, /* the low end of the interval is below the required safety */
+    WF_ASSESS_WET = 16     /* it overturns in saturated soil */
+};
+
+/* The least safety by the criteria of one kind. */
+struct wf_assess_part {
+    double safety; /* [-]; NAN: not assessed; 0: no equilibrium */
+    enum wf_criterion_id criterion;
+    int32_t row;   /* -1: none */
+    double height; /* of the place above the ground [m] */
+};
+
+struct wf_assess_direction {
+    double from;                  /* where the wind comes from, clockwise from north [rad] */
+    double breakage, overturning; /* safeties [-] */
+};
+
+enum { WF_ASSESS_DIRECTIONS = 16 };
+struct wf_assessment {
+    double required;                /* safety [-] */
+    double speed;                   /* strongest given wind [m/s] */
+    struct wf_assess_part breakage; /* of the stem, by the elastic limit too */
+    struct wf_assess_part overturning;
+    double wet_low, wet_high;     /* against overturning in saturated soil [-] */
+    double sound;                 /* against breakage with sound, full sections [-] */
+    double low, high;             /* 5 and 95 % of the least of both [-]; NAN: no interval */
+    double years;                 /* return period of the critical wind; NAN: unknown */
+    bool years_least, years_most; /* it is less, more than `years` */
+    const char *years_unknown;    /* why */
+    size_t directions;            /* 0: the same from all */
+    const struct wf_assess_direction *direction;
+    enum wf_assess_word word;
+    unsigned because; /* of WF_ASSESS_NO_OVERTURNING and so on */
+};
+
+/* Is a model's safety the same in wind from all directions? */
+bool wf_assess_is_round(const struct wf_model *m);
+
+/* Safeties of a tree in one wind from WF_ASSESS_DIRECTIONS directions, evenly spaced from that in which it
+ * leans. Given: where north is in the model, see study/directions.h [rad]. Returned:
+ * out[WF_ASSESS_DIRECTIONS]; *worst, the azimuth of the least safety [rad]. Errors: those of
+ * wf_analysis_set_up. */
+enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_model *m,
+                                const struct wf_scenario *sc, const struct wf_solver *solver,
+                                const struct wf_solve_options *o, double speed, double north,
+                                struct wf_assess_direction *out, double *worst, struct wf_err *e);
+
+/* Assess a finished analysis. Given: the required safety; the words of the design wind (NULL: none was
+ * given), from which the return period follows. Returned: *out but for its directions. Errors: of the tree
+ * with sound sections. */
+enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
+                         const struct wf_design_words *design, struct wf_assessment *out, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

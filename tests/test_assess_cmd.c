@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm assess: cards on the command line and in files, what is refused, what is written. */
+#include "close.h"
+#include "shell.h"
+
+#define OAK                                                                                                  \
+    "--species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --design en1991 "             \
+    "--basic-wind "                                                                                          \
+    "25 --terrain III"
+
+static void pages(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W assess " OAK,
+          CODE_OK,
+          { "UNCERTAIN", "below the required 1.5",
+            "overturning is not assessed: this says nothing of the roots", "direction does not matter" } },
+        { "$W assess models/cards/oak.yaml --girth 4m --soil unknown",
+          CODE_OK,
+          { "INCOMPLETE: what was assessed is enough", "overturning is not assessed",
+            "years by EN 1991-1-4" } },
+        { "$W assess models/cards/oak.yaml --girth 4m --pull-moment 2MN*m",
+          CODE_OK,
+          { "SUFFICIENT: enough by all that was assessed" } },
+        { "$W assess " OAK " --soil mineral",
+          CODE_OK,
+          { "LOST: as computed", "against overturning", "in saturated soil", "the tree overturns" } },
+        { "$W assess " OAK " --cavity 1.3m:80mm --lean 5deg --lean-towards 90 --samples 0",
+          CODE_OK,
+          { "governing direction: wind from 270 deg", "safety by the direction", "wind from 270",
+            "how sure it is was not computed" } },
+        { "$W assess --species oak --height 20 --dbh 79.5775cm --crown-width 14 --crown-depth 16 --wind 25 "
+          "--samples 0 | grep 'against breakage' >$T/a; $W assess --species oak --height 20 --girth 2.5 "
+          "--crown-width 14 --crown-base 4 --wind 25 --samples 0 | grep 'against breakage' >$T/b; cmp $T/a "
+          "$T/b "
+          "&& echo alike",
+          CODE_OK,
+          { "alike" } },
+        { "printf 'x_m,z_m\\n-7,4\\n7,4\\n7,20\\n-7,20\\n' >$T/o.csv; $W assess --species oak --height 20 "
+          "--girth 2.5 --photo-outline $T/o.csv --wind 25 --samples 0",
+          CODE_OK,
+          { "crown from the side 224 m2, its centre at 12 m", "unknown: the wind was not given" } },
+    };
+    CHECK(rows);
+}
+
+static void cards(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W assess models/cards/oak.yaml --samples 0 -q; echo \"[$?]\"", CODE_OK, { "[0]" } },
+        { "$W assess models/cards/oak.yaml", CODE_OK, { "Oak at the gate: Oak", "anchorage 416.7 kN m" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --soil unknown",
+          CODE_OK,
+          { "overturning is not assessed" } },
+        { "$W assess models/cards/oak.yaml -o $T/out --no-report -q && grep -c '\"word\": \"lost\"' "
+          "$T/out/results.json && grep -c '\"role\": \"card\"' $T/out/results.json",
+          CODE_OK,
+          { "1\n1\n" } },
+        { "$W assess models/cards/oak.yaml --lean 3deg --no-pdf -o $T/out --lang zh -q && grep -c "
+          "'结论：损毁' $T/out/report.html",
+          CODE_OK,
+          { "1\n" } },
+    };
+    CHECK(rows);
+}
+
+static void refused(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W assess --species oak",
+          CODE_INPUT,
+          { "--height: is needed", "--girth: is needed, or the dbh", "--crown-base: is needed",
+            "--design: is needed, or --wind" } },
+        { "$W assess " OAK " --girth 250m; $W assess --species oka --height 20kg --girth 250 "
+          "--crown-width 14 --crown-base 4 --soil clay --wind 20",
+          CODE_INPUT,
+          { "--height: '20kg': 'kg' is not a unit of a length; use one of: m, cm, mm",
+            "--girth: 250 m is not between 0.05 m and 40 m", "did you mean 'oak'?",
+            "--soil: 'clay' is none of mineral, gleyed, peaty, peat, unknown" } },
+        { "$W assess --species oak --height 20 --girth 2.5 --dbh 0.5 --crown-width 14 --crown-base 25 --wind "
+          "20",
+          CODE_INPUT,
+          { "--dbh: 0.5 m and the girth of 2.5 m disagree: 2.5 m around is 0.7958 m through",
+            "--crown-base: 25 m is not below the top of the tree at 20 m" } },
+        { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --wind 20",
+          CODE_INPUT,
+          { "--crown-width: is needed, or --frontal-area or --photo-outline" } },
+        { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --crown-depth 10 --crown-width 9 "
+          "--wind "
+          "20",
+          CODE_INPUT,
+          { "--crown-base: 4 m and the crown depth of 10 m do not add up" } },
+        { "sed 's/^girth.*/girth: 250 m/; s/^soil.*/soil: clay/; s/^crown_base.*/crown_base: 44 m/' "
+          "models/cards/oak.yaml >$T/c.yaml; $W assess $T/c.yaml",
+          CODE_INPUT,
+          { "c.yaml:6:8: error: girth: 250 m is not between",
+            "c.yaml:8:13: error: crown_base: 44 m is not below",
+            "c.yaml:12:7: error: soil: 'clay' is none of" } },
+        { "sed 's/^height.*/hieght: 20 m/' models/cards/oak.yaml >$T/c.yaml; $W assess $T/c.yaml",
+          CODE_INPUT,
+          { "did you mean 'height'?" } },
+        { "$W assess --species moso_bamboo --height 12 --dbh 10cm --crown-width 3 --crown-base 6 --wind 20",
+          CODE_INPUT,
+          { "hollow culms" } },
+        { "$W assess " OAK " --rain 5", CODE_INPUT, { "unknown option '--rain'" } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(pages), cmocka_unit_test(cards),
+                                        cmocka_unit_test(refused) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

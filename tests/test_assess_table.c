@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm assess TABLE: columns by name, rows that cannot be assessed, quotes, hostile cells, going on. */
+#include "base/rows.h"
+#include "close.h"
+#include "shell.h"
+
+#define WIND " --design en1991 --basic-wind 25 --terrain III --soil mineral"
+#define HEAD "id,species,height_m,girth_cm,crown_width_m,crown_base_m,note\\n"
+
+static char path[300];
+
+static void write_file(const char *text, size_t size)
+{
+    FILE *f = fopen(path, "wb");
+    assert_non_null(f);
+    assert_int_equal(fwrite(text, 1, size, f), size);
+    fclose(f);
+}
+
+static void count_line(void *context, const char *raw)
+{
+    (void)raw;
+    ++*(size_t *)context;
+}
+
+/* Rows as they are: quotes, line ends within them, other separators, other encodings, a quote that stays
+ * open. */
+static void rows(void **state)
+{
+    (void)state;
+    struct wf_rows r;
+    struct wf_err e = { 0 };
+    size_t before = 0;
+    static const char text[] = "\xEF\xBB\xBF# remark\n\na;b ;\"c \"\"d\"\"\"\r\n1; 2 ;\"x\ny;z\"\n\n3\n"
+                               "4;\"open;5\n6;7;h\xF6he\n";
+    begin_shell();
+    (void)snprintf(path, sizeof path, "%s.csv", scratch);
+    write_file(text, sizeof text - 1);
+    assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_OK);
+    assert_int_equal(before, 3);
+    assert_int_equal(r.separator, ';');
+    assert_int_equal(r.columns, 3);
+    assert_string_equal(r.name[1], "b");
+    assert_string_equal(r.name[2], "c \"d\"");
+    assert_true(wf_rows_next(&r));
+    assert_int_equal(r.line, 4);
+    assert_string_equal(r.raw, "1; 2 ;\"x\ny;z\"");
+    assert_int_equal(r.cells, 3);
+    assert_string_equal(r.cell[1], "2");
+    assert_string_equal(r.cell[2], "x\ny;z");
+    assert_true(wf_rows_next(&r) && r.blank);
+    assert_true(wf_rows_next(&r));
+    assert_int_equal(r.cells, 1);
+    assert_true(wf_rows_next(&r));
+    assert_non_null(r.wrong);
+    assert_string_equal(r.raw, "4;\"open;5");
+    assert_true(wf_rows_next(&r));
+    assert_null(r.wrong);
+    assert_string_equal(r.cell[2], "h\xC3\xB6he");
+    assert_false(wf_rows_next(&r));
+    wf_rows_close(&r);
+    write_file("a,b,A\n", 6);
+    assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_EINPUT);
+    wf_rows_close(&r);
+    e = (struct wf_err){ 0 };
+    write_file("\xFF\xFE"
+               "a\0,\0b\0\n\0",
+               10);
+    assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_EINPUT);
+    assert_non_null(strstr(e.text, "UTF-16"));
+    wf_rows_close(&r);
+    unlink(path);
+}
+
+static void tables(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "printf '# park\\n" HEAD "1,oak,20,250,14,4,\"fine, old\"\\n2,oka,20,250,14,4,\\n"
+          "3,birch,16,9900,6,5,\\n\\n4,ash,18,150,9,,-\\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv" WIND
+          "; echo \"code $?\"; cat $T/o.csv",
+          CODE_OK,
+          { "code 2\n# park\nid,species,", "1,oak,20,250,14,4,\"fine, old\",assessed,,lost,2.1",
+            "2,oka,20,250,14,4,,mistake,\"species: oka: there is no such file",
+            "4,ash,18,150,9,,-,mistake,crown-base: is needed" } },
+        { "printf '" HEAD "1,oak,20,250,14,4,\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv" WIND
+          " && ls $T && wc -l <$T/o.csv",
+          CODE_OK,
+          { "o.csv\nt.csv\n2\n" } },
+        /* the same tree in the words of four languages, a decimal comma, other units */
+        { "printf 'Baumart;H\xC3\xB6he (m);Umfang [cm];Kronenbreite;Kronenansatz\\noak;20,0;250;14;4\\n' "
+          ">$T/d.csv; "
+          "printf 'essence\\thauteur\\tcirconf\xC3\xA9rence_m\\tlargeur houppier\\tbase_houppier\\n"
+          "oak\\t20\\t2.5\\t14\\t4\\n' >$T/f.csv; printf "
+          "'\xE6\xA0\x91\xE7\xA7\x8D,\xE6\xA0\x91\xE9\xAB\x98(m),\xE8\x83\xB8\xE5\x9B\xB4(mm),"
+          "\xE5\x86\xA0\xE5\xB9"
+          "\x85,\xE6\x9E\x9D\xE4\xB8\x8B\xE9\xAB\x98\\noak,20,2500,14,4\\n' >$T/z.csv; for k in d f z; do $W "
+          "assess "
+          "$T/$k.csv -q -o $T/o.csv" WIND
+          "; tail -1 $T/o.csv | tr ';\\t' ',,' | sed 's/.*assessed/assessed/'; done "
+          "| uniq -c",
+          CODE_OK,
+          { "3 assessed,,lost,2.1" } },
+        { "printf 'species,dbh,height,crown width,crown base,spacing,top_height\\noak,40,20,6,12,3,20\\n"
+          "oak,40cm,20,6,12,,\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv" WIND
+          "; echo $?; cat $T/o.csv",
+          CODE_OK,
+          { "dbh: 40 m is not between", "2\n", "wf_stand_verdict", ",,,,,,,,\n" } },
+        { "printf 'species,dbh_cm,height,crown width,crown base,spacing,top_height\\noak,40,20,6,12,3,20\\n"
+          "oak,40,20,6,12,,\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv" WIND
+          " && sed -n 2p $T/o.csv | tr , "
+          "'\\n' | sed -n '23,26p' && sed -n 3p $T/o.csv | tr , '\\n' | grep -c assessed",
+          CODE_OK,
+          { "1\n" } },
+    };
+    CHECK(rows);
+}
+
+/* Cells open no file, and added texts are no formulas. */
+static void hostile(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "printf '" HEAD
+          "1,/etc/passwd,20,250,14,4,\\n2,../x.yaml,20,250,14,4,\\n' >$T/t.csv; $W assess $T/t.csv -q "
+          "-o $T/o.csv" WIND "; cat $T/o.csv",
+          CODE_OK,
+          { "names a file; cells of a table open none", "'../x.yaml' names a file" } },
+        { "printf "
+          "'=x,species,height_m,girth_cm,crown_width_m,crown_base_m,cavity\\n=1+1,oak,20,250,14,4,/etc/passwd"
+          "\\n\"2,oak,20\\n3,oak,20,250,14,4,,=cmd\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv" WIND
+          "; cat $T/o.csv",
+          CODE_OK,
+          { "=1+1,oak,20,250,14,4,/etc/passwd,mistake,cavity: '/etc/passwd' names a file",
+            "\"\"\"2,oak,20\",,,,,,,mistake,line 3: a quote is opened and not closed",
+            "3,oak,20,250,14,4,,mistake,line 4: 8 cells for 7 columns: '=cmd'" } },
+        { "printf 'species,height,wf_status\\noak,20,x\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv" WIND,
+          CODE_INPUT,
+          { "a name that this command adds" } },
+        { "printf 'species,height,Baumart\\noak,20,x\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv" WIND,
+          CODE_INPUT,
+          { "are both taken as --species" } },
+        { "printf '" HEAD "' >$T/t.csv; $W assess $T/t.csv" WIND, CODE_INPUT, { "-o is needed" } },
+        { "$W assess $T/none.csv -o $T/o.csv" WIND, CODE_INPUT, { "none.csv: No such file" } },
+        { "echo 'species: oak' >$T/t.yaml; $W assess $T/t.yaml" WIND,
+          CODE_INPUT,
+          { "a card begins with 'card:'" } },
+        { "printf '" HEAD "' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv",
+          CODE_INPUT,
+          { "--design: is needed" } },
+    };
+    CHECK(rows);
+}
+
+/* A run that was ended goes on, with the same bytes, also behind a row that was cut; another command does
+ * not. */
+static void goes_on(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "(printf '" HEAD
+          "'; for i in $(seq 1 150); do echo $i,oak,20,$((200+i)),14,4,; done; echo bad) >$T/t.csv; "
+          "A=\"$W assess $T/t.csv -o $T/o.csv" WIND
+          "\"; $A 2>/dev/null; echo $?; cp $T/o.csv $T/whole; (head -70 $T/whole; printf '70,oak,2') "
+          ">$T/o.csv.partial; rm $T/o.csv; (echo \"windfirm ${A#* }\"; $W --version; sha256sum <$T/t.csv | "
+          "cut -d' ' "
+          "-f1) >$T/o.csv.partial.run; $A; echo $?; cmp $T/o.csv $T/whole && ls $T; cp $T/whole "
+          "$T/o.csv.partial; $A "
+          "2>&1 | grep -c 'goes on'; cmp $T/o.csv $T/whole",
+          CODE_OK,
+          { "2\n", "goes on after 69 rows", "150 assessed, 1 with mistakes",
+            "2\no.csv\nt.csv\nwhole\n0\n" } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(rows), cmocka_unit_test(tables),
+                                        cmocka_unit_test(hostile), cmocka_unit_test(goes_on) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
