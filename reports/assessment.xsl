@@ -75,6 +75,35 @@
   </table>
 </xsl:template>
 
+<xsl:template name="as-scenarios">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">as.t.scenarios</xsl:with-param></xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of" select="'as.c.done;as.c.cut:%;as.breakage:;as.overturning:;c.wt.critical:m/s;as.c.word'"/>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="assessment/scenarios/item">
+        <tr>
+          <td><xsl:value-of select="name"/></td>
+          <td class="r">
+            <xsl:value-of select="format-number(100 * cut, '0')"/><xsl:if test="flagged = 'true'">&#160;!</xsl:if>
+          </td>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="breakage/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="overturning/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="critical_speed/value"/><xsl:with-param name="pattern">0.0</xsl:with-param>
+          </xsl:call-template>
+          <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.short.', word)"/></xsl:call-template></td>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
 <xsl:template name="assessment">
   <xsl:variable name="a" select="assessment"/>
   <p>
@@ -117,6 +146,14 @@
       </xsl:call-template>
     </tbody>
   </table>
+  <xsl:if test="$a/least_reduction &gt; 0">
+    <p><xsl:call-template name="say">
+      <xsl:with-param name="id">as.reduction</xsl:with-param>
+      <xsl:with-param name="a" select="format-number(100 * $a/least_reduction, '0')"/>
+      <xsl:with-param name="b" select="format-number(100 * $a/least_reduction_cut, '0')"/>
+    </xsl:call-template></p>
+  </xsl:if>
+  <xsl:if test="$a/scenarios/item"><xsl:call-template name="as-scenarios"/></xsl:if>
   <xsl:if test="$a/directions/item"><xsl:call-template name="as-directions"/></xsl:if>
 </xsl:template>
 </xsl:stylesheet>

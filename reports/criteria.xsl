@@ -30,9 +30,34 @@
 </xsl:template>
 
 <xsl:template name="criterion-name">
-  <xsl:call-template name="term">
-    <xsl:with-param name="id" select="concat('criterion.', criterion)"/><xsl:with-param name="otherwise" select="criterion"/>
-  </xsl:call-template>
+  <xsl:choose>
+    <xsl:when test="criterion = 'corridor' or criterion = 'tip-angle'">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id" select="concat('criterion.', criterion)"/>
+        <xsl:with-param name="a"><xsl:call-template name="room-limit"/></xsl:with-param>
+      </xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="term">
+        <xsl:with-param name="id" select="concat('criterion.', criterion)"/><xsl:with-param name="otherwise" select="criterion"/>
+      </xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- Distance of the corridor [m], or the limit of the tip's turn in degrees. The context is an entry of criteria. -->
+<xsl:template name="room-limit">
+  <xsl:variable name="scenario" select="ancestor::item/scenario"/>
+  <xsl:choose>
+    <xsl:when test="criterion = 'corridor'">
+      <xsl:call-template name="given"><xsl:with-param name="x" select="$scenario/corridor/value"/></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="fixed">
+        <xsl:with-param name="x" select="$degrees * $scenario/tip_angle_limit/value"/><xsl:with-param name="pattern">0.##</xsl:with-param>
+      </xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
 </xsl:template>
 
 <!-- A row; `k`: which of the winds. The context is an entry of criteria. -->

@@ -355,6 +355,7 @@
     </xsl:call-template>
   </xsl:if>
   <xsl:call-template name="overturns-too"/>
+  <xsl:call-template name="room-lines"/>
   <xsl:call-template name="fails-first"/>
   <xsl:for-each select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found' and
     critical_stem/within_limits = 'true']">

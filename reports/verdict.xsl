@@ -130,6 +130,31 @@
   </xsl:if>
 </xsl:template>
 
+<!-- When it moves as far as the limits that are given; that does not lose it. The context is a tree. -->
+<xsl:template name="room-lines">
+  <xsl:for-each select="verdict/criteria/item[(criterion = 'corridor' or criterion = 'tip-angle') and (outcome = 'found' or
+    outcome = 'above' or outcome = 'self-weight')]">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id" select="concat('sum.', criterion, '.', outcome)"/>
+      <xsl:with-param name="a"><xsl:call-template name="room-limit"/></xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:choose>
+          <xsl:when test="outcome = 'above'">
+            <xsl:call-template name="given"><xsl:with-param name="x" select="speed_high/value"/></xsl:call-template>
+          </xsl:when>
+          <xsl:otherwise>
+            <xsl:call-template name="fixed"><xsl:with-param name="x" select="critical_speed/value"/></xsl:call-template>
+          </xsl:otherwise>
+        </xsl:choose>
+      </xsl:with-param>
+      <xsl:with-param name="c"><xsl:call-template name="gust">
+        <xsl:with-param name="x" select="self::*[outcome = 'above']/speed_high/value | self::*[outcome != 'above']/critical_speed/value"/>
+      </xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
+</xsl:template>
+
 <!-- The part that fails first, where it is not the stem. -->
 <xsl:template name="fails-first">
   <xsl:if test="critical/governing_section/level &gt; 0 and critical/outcome = 'found' and critical/within_limits = 'true'">
@@ -204,7 +229,8 @@
   <xsl:for-each select="verdict/criteria/item">
     <xsl:variable name="of" select="criterion"/>
     <xsl:variable name="governs" select="$of = ../../criterion"/>
-    <xsl:variable name="section" select="$tree/criteria/item[criterion = $of and scope = 'stem']/governing_section"/>
+    <xsl:variable name="section" select="$tree/criteria/item[criterion = $of and
+      scope = substring('treestem', 1 + 4 * not($of = 'corridor'), 4)]/governing_section"/>
     <tr>
       <xsl:attribute name="class">
         <xsl:if test="within_limits = 'false'">void </xsl:if><xsl:if test="$governs">governs</xsl:if>
@@ -228,6 +254,9 @@
               </xsl:when>
               <xsl:when test="starts-with($of, 'overturning')"><xsl:value-of select="concat('outcome.overturn.', outcome)"/></xsl:when>
               <xsl:when test="$of = 'breakage'"><xsl:value-of select="concat('outcome.', outcome)"/></xsl:when>
+              <xsl:when test="$of = 'corridor' or $of = 'tip-angle'">
+                <xsl:value-of select="concat('outcome.', $of, '.', outcome)"/>
+              </xsl:when>
               <xsl:when test="outcome = 'found'"><xsl:value-of select="concat('outcome.', $of, '.found')"/></xsl:when>
               <xsl:otherwise><xsl:value-of select="concat('outcome.reached.', outcome)"/></xsl:otherwise>
             </xsl:choose>

@@ -460,6 +460,70 @@ static void safety_is_one(void **state)
     beam_free(&c);
 }
 
+/* Distance of a corridor and turn of the tip, of a weightless cylinder that bends little in a uniform wind: w
+ * L^4 / (8 E I) and w L^3 / (6 E I), with w = rho C_d D U^2 / 2. */
+static void room_of_a_cantilever(void **state)
+{
+    (void)state;
+    const double length = 8, radius = 0.08, youngs = 9e9, air = 1.2, corridor = 0.1, angle = 0.004;
+    const double stiff = youngs * PI * pow(radius, 4) / 4, per = air * radius; /* w / U^2 */
+    struct beam_case c;
+    struct wf_analysis an;
+    struct wf_break out[WF_CRITERIA][WF_SCOPES];
+    beam_stem(&c, 8, upright, length, radius, radius);
+    c.loads.air_density = air;
+    c.tree.room = (struct wf_room){ .corridor = corridor, .towards = { 1, 0 }, .tip_angle = angle };
+    open_analysis(&c, &an);
+    an.solver = wf_solver_named("linear");
+    assert_non_null(an.solver);
+    struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
+    if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
+    wf_nodes_close(nodes);
+    const struct wf_break *reach = &out[WF_CORRIDOR][WF_SCOPE_TREE],
+                          *turn = &out[WF_TIP_ANGLE][WF_SCOPE_TREE];
+    assert_int_equal(reach->critical.outcome, WF_CRITICAL_FOUND);
+    assert_int_equal(turn->critical.outcome, WF_CRITICAL_FOUND);
+    assert_close(reach->critical.speed, sqrt((corridor - radius) * 8 * stiff / (per * pow(length, 4))), 1e-6);
+    assert_close(turn->critical.speed, sqrt(angle * 6 * stiff / (per * pow(length, 3))), 1e-6);
+    assert_int_equal(reach->row, 7);
+    assert_close(reach->height, length, 1e-12);
+    assert_int_equal(out[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_NO_STRENGTH);
+    beam_free(&c);
+}
+
+/* Solved anew in the wind that was found, a slender tree that bends far is at each limit; behind it lies no
+ * corridor that it could reach. */
+static void room_is_used_up(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_analysis an;
+    struct wf_break out[WF_CRITERIA][WF_SCOPES];
+    struct wf_at_speed at;
+    beam_stem(&c, 12, upright, 16, 0.10, 0.02);
+    c.loads.gravity = 9.81;
+    open_analysis(&c, &an);
+    for (int run = 0; run < 3; run++) {
+        an.scenario.corridor = 3, an.scenario.corridor_towards = run == 2 ? PI : NAN;
+        an.scenario.tip_angle = 0.5;
+        wf_analysis_room(&an);
+        an.solver = run == 1 ? wf_solver_named("rod") : &wf_solver_beam;
+        struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
+        if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
+        wf_nodes_close(nodes);
+        for (int k = WF_CORRIDOR; k <= WF_TIP_ANGLE; k++) {
+            const struct wf_critical *found = &out[k][WF_SCOPE_TREE].critical;
+            bool behind = run == 2 && k == WF_CORRIDOR;
+            assert_int_equal(found->outcome, behind ? WF_CRITICAL_ABOVE : WF_CRITICAL_FOUND);
+            if (behind) continue;
+            assert_int_equal(wf_speed_totals(&an, &c.options, found->speed, &at, &c.err), WF_OK);
+            assert_close(at.worst[k][WF_SCOPE_TREE].safety, 1, run == 1 ? 1e-5 : 1e-6);
+            if (k == WF_TIP_ANGLE) assert_close(at.tip_angle, 0.5, run == 1 ? 1e-5 : 1e-6);
+        }
+    }
+    beam_free(&c);
+}
+
 /* A leaning tree in still air: the demand is its weight times its lever, whether it stands so or bends so. */
 static void leaning_tree(void **state)
 {
@@ -497,6 +561,8 @@ int main(void)
         cmocka_unit_test(pine_of_hwind),
         cmocka_unit_test(curves),
         cmocka_unit_test(a_name_without_a_unit),
+        cmocka_unit_test(room_of_a_cantilever),
+        cmocka_unit_test(room_is_used_up),
         cmocka_unit_test(curves_that_are_refused),
         cmocka_unit_test(table_rows),
         cmocka_unit_test(rigid_stem),

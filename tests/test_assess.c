@@ -140,6 +140,38 @@ static void cavity(void **state)
     end(&t);
 }
 
+/* Changes of the disc: thinned, F (1 - p); reduced by p, F (1 - p)^2 with its centre at base + (1 - p) depth
+ * / 2; the stem keeps its thickness, so that the stress at the base is that of the moment. */
+static void changes(void **state)
+{
+    (void)state;
+    static const struct wf_card_change row[] = { { .thin = 0.2 },
+                                                 { .reduce_share = 0.3 },
+                                                 { .reduce_length = 2 } };
+    static const double left[] = { 0.8, 0.49, 4.0 * 8 / (8 * 10) }, centre[] = { 15, 13.5, 14 };
+    for (size_t k = 0; k < 3; k++) {
+        struct tree t;
+        double cut, base;
+        begin(&t, "oak", &disc_card);
+        idealise(&t);
+        must(&t, wf_card_change(&row[k], &t.arena, &t.model, &cut, &t.err));
+        assert_close(cut, 1 - left[k], 1e-9);
+        run(&t, 30, 0);
+        (void)disc_stress(&t, 30, &base);
+        assert_close(t.an.at[0].base_moment, left[k] * centre[k] / 15 * base * PI * pow(0.3, 3) / 4, 4e-3);
+        assert_close(wf_model_taper(&t.model, 8 / t.model.height), pow(12 / 18.7, 0.65), 2e-3);
+        end(&t);
+    }
+    struct tree t;
+    double cut;
+    const struct wf_card_change all = { .reduce_length = 4 }, grow = { .cavity_growth = 0.01 };
+    begin(&t, "oak", &disc_card);
+    assert_int_equal(wf_card_change(&all, &t.arena, &t.model, &cut, &t.err), WF_EINPUT);
+    t.err = (struct wf_err){ 0 };
+    assert_int_equal(wf_card_change(&grow, &t.arena, &t.model, &cut, &t.err), WF_EINPUT);
+    end(&t);
+}
+
 /* ---- The arborists' chain ---- */
 
 struct chain {
@@ -216,11 +248,39 @@ static void arborists(void **state)
 
 /* ---- Made-up cards ---- */
 
-static const char *const trees[] = {
-    "ash",           "beech",        "birch",         "chinese_fir", "douglas_fir",   "japanese_larch",
-    "maritime_pine", "masson_pine",  "norway_spruce", "oak",         "poplar",        "radiata_pine",
-    "scots_pine",    "sitka_spruce", "sugi",          "sycamore",    "weeping_willow"
-};
+static const char *const trees[] = { "ash",
+                                     "beech",
+                                     "birch",
+                                     "cedar",
+                                     "chinese_fir",
+                                     "douglas_fir",
+                                     "elm",
+                                     "eucalypt",
+                                     "hornbeam",
+                                     "horse_chestnut",
+                                     "japanese_larch",
+                                     "lime",
+                                     "loblolly_pine",
+                                     "lodgepole_pine",
+                                     "maritime_pine",
+                                     "masson_pine",
+                                     "norway_maple",
+                                     "norway_spruce",
+                                     "oak",
+                                     "plane",
+                                     "poplar",
+                                     "radiata_pine",
+                                     "robinia",
+                                     "scots_pine",
+                                     "silver_maple",
+                                     "sitka_spruce",
+                                     "sugi",
+                                     "sycamore",
+                                     "tulip_tree",
+                                     "weeping_willow",
+                                     "western_hemlock",
+                                     "white_willow",
+                                     "wych_elm" };
 
 static double uniform(uint64_t *at) { return wf_random_uniform(7, 1, (*at)++); }
 
@@ -246,7 +306,7 @@ static void made_up(void **state)
     (void)state;
     uint64_t r = 0;
     const char *many = getenv("CARDS");
-    size_t n = many ? (size_t)atoi(many) : 102, out = 0;
+    size_t n = many ? (size_t)atoi(many) : 4 * sizeof trees / sizeof *trees, out = 0;
     for (size_t k = 0; k < n; k++) {
         struct tree t;
         struct wf_card c = draw(&r);
@@ -341,8 +401,9 @@ static void how_often(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(disc),      cmocka_unit_test(cavity),
-                                        cmocka_unit_test(arborists), cmocka_unit_test(made_up),
-                                        cmocka_unit_test(word),      cmocka_unit_test(how_often) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(disc),     cmocka_unit_test(cavity),
+                                        cmocka_unit_test(changes),  cmocka_unit_test(arborists),
+                                        cmocka_unit_test(made_up),  cmocka_unit_test(word),
+                                        cmocka_unit_test(how_often) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,6 +37,11 @@ static void pages(void **state)
           "&& echo alike",
           CODE_OK,
           { "alike" } },
+        { "$W assess --species oak --height 20 --girth 2.5 --frontal-area 175.93 --crown-base 4 --wind 25 "
+          "--samples 0 "
+          "| head -2",
+          CODE_OK,
+          { "crown from the side 175.9 m2, its centre at 12 m" } },
         { "printf 'x_m,z_m\\n-7,4\\n7,4\\n7,20\\n-7,20\\n' >$T/o.csv; $W assess --species oak --height 20 "
           "--girth 2.5 --photo-outline $T/o.csv --wind 25 --samples 0",
           CODE_OK,
@@ -62,6 +67,37 @@ static void cards(void **state)
           "'结论：损毁' $T/out/report.html",
           CODE_OK,
           { "1\n" } },
+    };
+    CHECK(rows);
+}
+
+/* Scenarios beside the tree as it stands; what is lost of the roots is lost of the anchorage. */
+static void scenarios(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W assess models/cards/oak.yaml --samples 0 --reduce 20% --thin 10% --scenarios "
+          "root_loss=50%,terrain=II,cavity=1.3m:80mm+cavity_growth=2cm",
+          CODE_OK,
+          { "reduce 20% + thin 10%     42 %!", "root_loss=50%        -       2.14         0.42",
+            "cavity=1.3m:80mm+cavity_growth=2cm",
+            "least reduction of the crown for a safety of 1.5: 22 %" } },
+        { "(cat models/cards/oak.yaml; echo 'scenarios: [reduce=1m, season=leaf_off]') >$T/c.yaml; $W assess "
+          "$T/c.yaml --samples 0 -o $T/out --lang zh --no-pdf | grep -c 'reduce=1m'; grep -c '最小树冠缩剪' "
+          "$T/out/report.html; grep -c '\"name\": \"season=leaf_off\"' $T/out/results.json",
+          CODE_OK,
+          { "1\n1\n1\n" } },
+        { "$W assess models/cards/oak.yaml --scenarios redus=3m,girth=99,species=ash,reduce=9m",
+          CODE_INPUT,
+          { "scenario 'redus=3m': 'redus' is no key of a card",
+            "scenario 'girth=99': girth: 99 m is not between", "'species' is the same in all scenarios" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --reduce 9m",
+          CODE_INPUT,
+          { "leaves nothing of a crown" } },
+        { "$W assess models/cards/oak.yaml --reduce 20x", CODE_INPUT, { "'20x' is no reduction" } },
+        { "printf 'species\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --thin 10% --wind 20",
+          CODE_INPUT,
+          { "--thin: has no effect with a table of trees" } },
     };
     CHECK(rows);
 }
@@ -113,6 +149,6 @@ static void refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(pages), cmocka_unit_test(cards),
-                                        cmocka_unit_test(refused) };
+                                        cmocka_unit_test(refused), cmocka_unit_test(scenarios) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -83,6 +83,13 @@ static void tables(void **state)
           { "code 2\n# park\nid,species,", "1,oak,20,250,14,4,\"fine, old\",assessed,,lost,2.1",
             "2,oka,20,250,14,4,,mistake,\"species: oka: there is no such file",
             "4,ash,18,150,9,,-,mistake,crown-base: is needed" } },
+        { "printf 'Baumart,height,girth_cm,crown width,crown base\\nQuercus "
+          "robur,20,250,14,4\\nStieleiche,20,250,14,4\\n"
+          "oak,20,250,14,4\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --wind 20; tail -3 $T/o.csv | "
+          "sed "
+          "'s/^[^,]*//' | uniq -c | cut -c1-60",
+          CODE_OK,
+          { "3 ,20,250,14,4,assessed,,incomplete,2.58" } },
         { "printf '" HEAD "1,oak,20,250,14,4,\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv" WIND
           " && ls $T && wc -l <$T/o.csv",
           CODE_OK,

@@ -59,6 +59,15 @@ static void answers(void **unused)
            0, "2 within");
     prints("$W simulate-test $S -o $T/o && head -1 $T/o/pull.csv", 0, "t_s,force_N,clino_root_rad");
     prints("$W schema fit", 0, "sensors[]");
+    /* a table that is written keeps the bark of its species */
+    prints("$W fit $S --no-profile --no-rival --no-report -o $T/o --write $T/mine.yaml >/dev/null && sed -n "
+           "'/^bark:/,/share/p' "
+           "$T/mine.yaml species/scots_pine.yaml",
+           0, "double_mm");
+    prints("$W fit $S --no-profile --no-rival --no-report -o $T/o --write $T/mine.yaml >/dev/null && test "
+           "$(grep -c ^bark: "
+           "$T/mine.yaml) = $(grep -c ^bark: species/scots_pine.yaml) && $W species show $T/mine.yaml",
+           0, "Scots pine");
 }
 
 /* Counts and seeds are whole numbers; none is cut to one. */

@@ -53,6 +53,26 @@ static void what_governs_is_said(void **state)
           "splitting  ' | tr -s ' '",
           CODE_OK,
           { "2\n2\n16\n16\n", " splitting 0.74 1 ", " governs" } },
+        { "for l in en zh; do $W analyze moso_bamboo --model moso_culm --wind 10,25 --corridor 8m "
+          "--tip-angle-limit 45 "
+          "--samples 0 --no-pdf --lang $l -o $T/a -q; sed 's/<tr/\\n<tr/g; s/<[^>]*>/ /g' $T/a/report.html | "
+          "tr -s ' ' | "
+          "grep -E 'Corridor beside the tree, 8 m|树旁走廊，8 m|Turn of the tip, 45|梢端转角，45'; done",
+          CODE_OK,
+          { "Corridor beside the tree, 8 m a part reaches it; the tree is not lost", "9.7 14.8 14.0",
+            "Turn of the tip, 45° the tip turns by it",
+            "梢端转角，45° 梢端达到该转角；不计为树木损失 5.1 7.77" } },
+        { "$W analyze oak $M --wind 10 --corridor 0m --tip-angle-limit 200deg --samples 0 --no-report -o "
+          "$T/a",
+          CODE_INPUT,
+          { "--corridor: 0m is outside 0.01..200 m",
+            "--tip-angle-limit: 200deg is outside 0.1..179 deg" } },
+        { "$W analyze oak $M --wind 10 --corridor-towards 90 --samples 0 --no-report -o $T/a",
+          CODE_INPUT,
+          { "--corridor-towards: has no effect without --corridor" } },
+        { "$W analyze oak $M --wind 10 --corridor 3kg --samples 0 --no-report -o $T/a",
+          CODE_INPUT,
+          { "'3kg': 'kg' is not a unit of a length" } },
     };
     CHECK(rows);
 }

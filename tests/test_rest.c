@@ -391,6 +391,43 @@ static void slack_parts_are_stiffened(void **state)
     beam_free(&c);
 }
 
+/* A stem with a pole on it, whose lowest row is thicker and whose upper four rows are light. */
+static void pole(struct beam_case *c, double youngs)
+{
+    beam_new(c, 7);
+    for (int i = 0; i < 7; i++) {
+        const double at = i < 2 ? 2 * i : i + 2, to = i < 2 ? 2 * i + 2 : i + 3;
+        const double radius = i < 2 ? 0.1 : i == 2 ? 0.014 : 0.01;
+        beam_row(c, (size_t)i, i - 1, (double[]){ 0, 0, at }, (double[]){ 0, 0, to }, radius, radius);
+        c->tree.youngs[i] = youngs, c->tree.shear[i] = youngs / 2.6;
+    }
+    c->loads.gravity = 9.81;
+    assert_int_equal(wf_tree_stand(&c->tree, &c->tree, &c->arena, &c->err), WF_OK);
+}
+
+/* What stands with soft wood stands with stiffer wood: where the pole would fall as a whole although its
+ * light part does not, the light part is stiffened as it is where it falls. */
+static void stiffer_wood_stands_too(void **state)
+{
+    (void)state;
+    const double light = 1.01, heavy = 800 * PI * (2 * 0.1 * 0.1 * 2 + 0.014 * 0.014) + light;
+    bool stood = false;
+    size_t stiffened = 0, refused = 0;
+    for (double youngs = 0.2e9; youngs < 10e9; youngs *= 1.15) {
+        struct beam_case c;
+        struct wf_firm f;
+        pole(&c, youngs);
+        assert_int_equal(wf_firm(&c.tree, &c.loads, &c.options, light / heavy, 2, &c.arena, &f, &c.err),
+                         WF_OK);
+        if (stood && f.gave_up) fail_msg("stands with softer wood, and not with %.3g Pa", youngs);
+        stood = stood || !f.gave_up;
+        refused += f.gave_up, stiffened += !f.gave_up && f.n && f.part[0].factor > 1;
+        if (!f.gave_up) beam_solve(&c);
+        beam_free(&c);
+    }
+    assert_true(refused > 2 && stiffened > 0 && stood);
+}
+
 /* The change from the state at rest: nothing at rest; in a stiff tree, the plain difference; in one that
  * turns as a whole on its root, the forces at rest turn with it. */
 static void change_from_rest(void **state)
@@ -431,11 +468,17 @@ static void change_from_rest(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_drawn_shape_is_balanced), cmocka_unit_test(still_air_moves_nothing),
-        cmocka_unit_test(turned_with_its_wind),        cmocka_unit_test(side_by_side_as_alone),
-        cmocka_unit_test(handed_over_in_memory),       cmocka_unit_test(written_and_read_as_a_scan),
-        cmocka_unit_test(what_comes_later_is_a_load),  cmocka_unit_test(sways_as_before),
-        cmocka_unit_test(slack_parts_are_stiffened),   cmocka_unit_test(change_from_rest),
+        cmocka_unit_test(the_drawn_shape_is_balanced),
+        cmocka_unit_test(still_air_moves_nothing),
+        cmocka_unit_test(turned_with_its_wind),
+        cmocka_unit_test(side_by_side_as_alone),
+        cmocka_unit_test(handed_over_in_memory),
+        cmocka_unit_test(written_and_read_as_a_scan),
+        cmocka_unit_test(what_comes_later_is_a_load),
+        cmocka_unit_test(sways_as_before),
+        cmocka_unit_test(slack_parts_are_stiffened),
+        cmocka_unit_test(stiffer_wood_stands_too),
+        cmocka_unit_test(change_from_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -64,12 +64,37 @@ static void check_value(const char *what, const struct wf_value *v, double low, 
                  v->source ? v->source : "none");
 }
 
+/* A strength over the modulus of rupture, where the table has it. Green woods of the American and the British
+ * handbook: compression 0.37 to 0.58 (159 lots; guadua 0.33), shear 0.11 to 0.20 (144 lots; derived 0.15),
+ * tension across the grain 0.016 to 0.111 (70). */
+static void check_share(const char *key, const struct wf_level *l, const struct wf_value *v, double low,
+                        double high)
+{
+    double share = v->value / l->modulus_of_rupture.value;
+    if (v->given && (share < low || share > high))
+        fail_msg("%s, %s: %g Pa is %g of the modulus of rupture, want %g to %g", key, l->name, v->value,
+                 share, low, high);
+}
+
+static void check_shares(const char *key, const struct wf_level *l)
+{
+    check_share(key, l, &l->compressive_strength, 0.32, 0.58);
+    check_share(key, l, &l->shear_strength, 0.1, 0.2);
+    check_share(key, l, &l->tangential_strength, 0.016, 0.112);
+    double strain = l->compressive_strength.value / l->youngs_modulus.value;
+    if (l->compressive_strength.given && (strain < 0.0018 || strain > 0.0049))
+        fail_msg("%s, %s: strain at the strength in compression %g, want 0.0018 to 0.0049", key, l->name,
+                 strain);
+    if (l->tangential_modulus.given)
+        check_value(key, &l->tangential_modulus, 0.05e9, 0.1 * l->youngs_modulus.value);
+}
+
 static void check_level(const char *key, const struct wf_level *l, bool stem)
 {
     double young = l->youngs_modulus.value;
     assert_true(l->youngs_modulus.given && l->density.given && l->radius.given &&
                 l->modulus_of_rupture.given);
-    check_value(key, &l->youngs_modulus, 0.3e9, 15e9);
+    check_value(key, &l->youngs_modulus, 0.3e9, 21e9);
     check_value(key, &l->shear_modulus, 0.01e9, 2e9);
     check_value(key, &l->density, 500, 1250);
     check_value(key, &l->modulus_of_rupture, 2e6, 150e6);
@@ -79,9 +104,11 @@ static void check_level(const char *key, const struct wf_level *l, bool stem)
     double strain = l->modulus_of_rupture.value / young;
     if (strain < 0.004 || strain > 0.012)
         fail_msg("%s, %s: breaking strain %g, want 0.004 to 0.012", key, l->name, strain);
+    /* robinia and western hemlock are the dry ones: 13.7e6 with the water of living American trees */
     double specific = young / l->density.value;
-    if (specific < (stem ? 5e6 : 0.8e6) || specific > 13e6)
+    if (specific < (stem ? 5e6 : 0.8e6) || specific > 14e6)
         fail_msg("%s, %s: stiffness over density %g J/kg", key, l->name, specific);
+    check_shares(key, l);
 }
 
 static void check_crown(const char *key, const struct wf_species *s)
@@ -129,7 +156,7 @@ static void check_species(const char *path, const char *key)
 static void every_species_reads_and_is_plausible(void **state)
 {
     (void)state;
-    assert_true(for_each_yaml("species", check_species) >= 19);
+    assert_true(for_each_yaml("species", check_species) >= 36);
 }
 
 static void check_sources_used(const char *path, const char *key)
@@ -164,6 +191,38 @@ static void every_source_is_used(void **state)
     for_each_yaml("species", check_sources_used);
 }
 
+/* The table of docs/species.md has a row of every species, with its names and its stem's values. */
+static void check_documented(const char *path, const char *key)
+{
+    static char text[TEXT];
+    struct wf_arena a = { 0 };
+    struct wf_species s = read_species(path, &a);
+    FILE *f = fopen("docs/species.md", "r");
+    assert_non_null(f);
+    text[fread(text, 1, sizeof text - 1, f)] = '\0';
+    fclose(f);
+    char row[200];
+    snprintf(row, sizeof row, "\n| %s | %s | ", key, s.latin);
+    const char *at = strstr(text, row);
+    if (is_physical(&s) != (at != NULL))
+        fail_msg("%s: docs/species.md has %s row of it", key, at ? "a" : "no");
+    double young, density, strength;
+    if (at) {
+        assert_int_equal(
+            sscanf(at + strlen(row), "%lf %*c | %lf %*c | %lf %*c |", &young, &density, &strength), 3);
+        assert_close(young * 1e9, s.level[0].youngs_modulus.value, 1e-9);
+        assert_close(density, s.level[0].density.value, 1e-9);
+        assert_close(strength * 1e6, s.level[0].modulus_of_rupture.value, 1e-9);
+    }
+    wf_arena_free(&a);
+}
+
+static void every_species_is_documented(void **state)
+{
+    (void)state;
+    for_each_yaml("species", check_documented);
+}
+
 static void the_promised_species_are_there(void **state)
 {
     (void)state;
@@ -185,7 +244,24 @@ static void the_promised_species_are_there(void **state)
                                        "birch",
                                        "ash",
                                        "poplar",
-                                       "sycamore" };
+                                       "sycamore",
+                                       "lime",
+                                       "plane",
+                                       "horse_chestnut",
+                                       "norway_maple",
+                                       "silver_maple",
+                                       "robinia",
+                                       "white_willow",
+                                       "elm",
+                                       "wych_elm",
+                                       "hornbeam",
+                                       "tulip_tree",
+                                       "eucalypt",
+                                       "cedar",
+                                       "loblolly_pine",
+                                       "lodgepole_pine",
+                                       "western_hemlock",
+                                       "guadua" };
     for (size_t i = 0; i < sizeof key / sizeof key[0]; i++) {
         char path[PATH];
         snprintf(path, sizeof path, "species/%s.yaml", key[i]);
@@ -276,6 +352,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_species_reads_and_is_plausible),
         cmocka_unit_test(every_source_is_used),
+        cmocka_unit_test(every_species_is_documented),
         cmocka_unit_test(the_promised_species_are_there),
         cmocka_unit_test(printed_willow_is_the_paper),
         cmocka_unit_test(moso_is_hollow),

@@ -75,8 +75,8 @@ static uint32_t character(const char *s, size_t *length)
 /* Does it act on a terminal instead of being shown? */
 static bool acts(uint32_t c)
 {
-    return (c < 0x20 && c != '\t') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E ||
-           c == 0x200F || (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
+    return (c < 0x20 && c != '\t') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E || c == 0x200F ||
+           (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
 }
 
 const char *wf_text_for_terminal(const char *text, char end, struct wf_arena *a)
@@ -206,20 +206,65 @@ size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to)
     return n;
 }
 
-/* Suggestions. */
-
-enum { WORD_MAX = 63 };
+/* Names. */
 
 static unsigned char ascii_lower(char c)
 {
     return (unsigned char)(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
 }
 
+/* U+00C0 to U+017F without accents and in lower case; \xDF is two letters. */
+static const char without_accent[] =
+    "aaaaaaaceeeeiiiidnooooox"
+    "ouuuuytsaaaaaaaceeeeiiii"
+    "dnooooo ouuuuyty"
+    "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiii"
+    "jjkkkllllllllllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+_Static_assert(sizeof without_accent == 0x180 - 0xC0 + 1, "one letter for each character");
+
+const char *wf_text_folded(const char *text, struct wf_arena *a)
+{
+    enum { SHARP_S = 0xDF };
+    size_t n;
+    char *out = WF_TAKE(a, 2 * strlen(text) + 1, char), *to = out;
+    for (const char *s = text; out && *s; s += n) {
+        uint32_t c = character(s, &n);
+        bool blank = c == '-' || c == '_' || c == ' ', accent = c >= 0x300 && c < 0x370;
+        if (accent || (blank && to > out && to[-1] == ' ')) continue;
+        if (c < 0x80)
+            *to++ = blank ? ' ' : (char)ascii_lower((char)c);
+        else if (c >= 0xC0 && c < 0x180)
+            *to++ = without_accent[c - 0xC0];
+        else
+            to = (char *)memcpy(to, s, n) + n;
+        if (c == SHARP_S) *to++ = 's';
+    }
+    if (out) *to = '\0';
+    return out;
+}
+
+/* Suggestions. */
+
+enum { WORD_MAX = 63 };
+
 static size_t least_size(size_t a, size_t b) { return a < b ? a : b; }
+
+/* The characters of a word, ASCII in lower case. Returned: how many; WORD_MAX + 1: too many. */
+static size_t word_characters(const char *word, uint32_t out[static WORD_MAX])
+{
+    size_t n = 0, length;
+    for (const char *s = word; *s; s += length) {
+        uint32_t c = character(s, &length);
+        if (n == WORD_MAX) return WORD_MAX + 1;
+        out[n++] = c < 0x80 ? ascii_lower((char)c) : c;
+    }
+    return n;
+}
 
 size_t wf_word_distance(const char *a, const char *b)
 {
-    size_t n = strlen(a), m = strlen(b);
+    uint32_t x[WORD_MAX], y[WORD_MAX];
+    size_t n = word_characters(a, x), m = word_characters(b, y);
     if (n > WORD_MAX || m > WORD_MAX) return (size_t)-1;
     size_t row[3][WORD_MAX + 1]; /* rows i-2, i-1, i of the table, in turn */
     for (size_t j = 0; j <= m; j++) row[0][j] = j;
@@ -227,9 +272,9 @@ size_t wf_word_distance(const char *a, const char *b)
         size_t *now = row[i % 3], *before = row[(i + 2) % 3], *earlier = row[(i + 1) % 3];
         now[0] = i;
         for (size_t j = 1; j <= m; j++) {
-            unsigned char x = ascii_lower(a[i - 1]), y = ascii_lower(b[j - 1]);
-            now[j] = least_size(before[j - 1] + (x != y), least_size(before[j], now[j - 1]) + 1);
-            if (i > 1 && j > 1 && x == ascii_lower(b[j - 2]) && ascii_lower(a[i - 2]) == y)
+            now[j] =
+                least_size(before[j - 1] + (x[i - 1] != y[j - 1]), least_size(before[j], now[j - 1]) + 1);
+            if (i > 1 && j > 1 && x[i - 1] == y[j - 2] && x[i - 2] == y[j - 1])
                 now[j] = least_size(now[j], earlier[j - 2] + 1);
         }
     }
@@ -238,7 +283,8 @@ size_t wf_word_distance(const char *a, const char *b)
 
 int wf_word_is_near(const char *word, size_t distance)
 {
-    size_t n = strlen(word);
+    uint32_t letters[WORD_MAX];
+    size_t n = word_characters(word, letters);
     return distance <= (n <= 4 ? 1u : n <= 8 ? 2u : 3u);
 }
 

@@ -21,8 +21,8 @@ bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault);
 
 /* For a terminal: what could move the cursor, change colours or reorder what is read (C0 and C1 controls,
  * DEL, marks of writing direction, line and paragraph separators) and bytes that are not UTF-8 are shown as
- * escapes, \x1b or \u202e. A tab stays. `end`: the character that stands for the end of a line, '\n' where the
- * text has no names in it; every other line end is shown as \x0a. */
+ * escapes, \x1b or \u202e. A tab stays. `end`: the character that stands for the end of a line, '\n' where
+ * the text has no names in it; every other line end is shown as \x0a. */
 const char *wf_text_for_terminal(const char *text, char end, struct wf_arena *a);
 /* For XML 1.0 and what is drawn into SVG: characters that are not allowed there, and bytes that are not
  * UTF-8, are replaced by U+FFFD. */
@@ -43,12 +43,17 @@ size_t wf_utf16_to_utf8(const char *text, size_t size, enum wf_utf16 order, char
  * or a line end, is not in the code page, or when the text also has characters in UTF-8. */
 size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to);
 
-/* Distance between two words, letter case ignored: the number of changes, insertions, deletions and swaps of
- * neighbouring letters (Damerau 1964, Levenshtein 1966; optimal string alignment). Returned: (size_t)-1 when
- * a word is longer than 63 bytes. */
+/* For comparing names: letters of ASCII, Latin-1 and Latin Extended-A in lower case without their accents (ß
+ * becomes ss), combining accents left out, '-', '_' and several blanks as one, × as x; the rest, such as
+ * Chinese, as it is. Returned: text in the arena, NULL without memory. */
+const char *wf_text_folded(const char *text, struct wf_arena *a);
+
+/* Distance between two words, letter case of ASCII ignored: the number of changes, insertions, deletions and
+ * swaps of neighbouring characters (Damerau 1964, Levenshtein 1966; optimal string alignment). Returned:
+ * (size_t)-1 when a word is longer than 63 characters. */
 size_t wf_word_distance(const char *a, const char *b);
-/* Whether a word at this distance is similar enough to be suggested: 1 for up to 4 letters, 2 for up to 8, 3
- * for longer words. */
+/* Whether a word at this distance is similar enough to be suggested: 1 for up to 4 characters, 2 for up to 8,
+ * 3 for longer words. */
 int wf_word_is_near(const char *word, size_t distance);
 /* The most similar of n known words; when none is similar enough, the first that begins with the word or that
  * the word begins with (at least three letters); otherwise NULL. */

@@ -340,6 +340,26 @@ static void yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struc
     if (has_same_length(y, n, r, count)) put_items(r, out, v, count);
 }
 
+/* Read the texts of a WF_YAML_WORDS row. */
+static void yaml_words(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                       unsigned char *out)
+{
+    static const struct wf_yaml_row one = { .kind = WF_YAML_TEXT };
+    size_t count = list_length(y, n, "texts");
+    const char **v = count ? wf_yaml_take(y, count, sizeof *v) : NULL;
+    for (size_t i = 0; v && i < count; i++) {
+        const yaml_node_t *item = yaml_node(y, n->data.sequence.items.start[i]);
+        size_t length = yaml_push_index(y, i);
+        const char *text = yaml_scalar(item);
+        if (text)
+            put_text(y, item, text, &one, (unsigned char *)&v[i]);
+        else
+            yaml_at(y, item, "a text is expected, not %s", yaml_type(item));
+        yaml_pop(y, length);
+    }
+    if (v) put_items(r, out, v, count);
+}
+
 static void yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
                        unsigned char *out)
 {
@@ -454,6 +474,8 @@ static void read_key(struct wf_yaml *y, const yaml_node_t *v, const struct wf_ya
         yaml_list(y, v, r, out);
     else if (r->kind == WF_YAML_TEXTS)
         yaml_texts(y, v, r, out);
+    else if (r->kind == WF_YAML_WORDS)
+        yaml_words(y, v, r, out);
     else if (r->kind == WF_YAML_QUANTITIES)
         yaml_quantities(y, v, r, out);
     else if (r->kind == WF_YAML_JOINED)

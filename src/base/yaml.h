@@ -21,6 +21,7 @@ enum wf_yaml_kind {
     WF_YAML_QUANTITIES, /* double * [SI]; size_t at `count`: how many                                */
     WF_YAML_JOINED,     /* const char *: a value, a list "a,b" or a mapping "k=v,k=v" of values      */
     WF_YAML_TEXTS,      /* struct wf_yaml_pair *: mapping of free names to texts; size_t at `count`  */
+    WF_YAML_WORDS,      /* const char **: a list of texts; size_t at `count`: how many               */
     WF_YAML_TABLE,      /* a struct that `table` describes, in place                                 */
     WF_YAML_LIST        /* pointer to structs that `table` describes; size_t at `count`: how many    */
 };

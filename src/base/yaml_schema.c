@@ -86,6 +86,9 @@ static void row_kind(const struct schema_page *p, const struct wf_yaml_row *r, c
     case WF_YAML_TEXTS:
         (void)snprintf(buf, size, "a mapping of names to texts");
         break;
+    case WF_YAML_WORDS:
+        (void)snprintf(buf, size, "a list [..] of texts");
+        break;
     case WF_YAML_LIST:
         (void)snprintf(buf, size, "a list, each item with the keys below");
         break;
@@ -221,6 +224,9 @@ static json_t *kind_of(struct wf_units *u, const struct wf_yaml_row *r, const st
         return json_pack("{s:s,s:o}", "type", "array", "items", quantity(quantity_of(r, holder)));
     case WF_YAML_TEXTS:
         return json_pack("{s:s,s:{s:s}}", "type", "object", "additionalProperties", "type", "string");
+    case WF_YAML_WORDS:
+        return json_pack("{s:s,s:i,s:{s:[s,s]}}", "type", "array", "minItems", 1, "items", "type", "string",
+                         "number");
     case WF_YAML_LIST:
         return json_pack("{s:s,s:o}", "type", "array", "items", object_of(u, r->table, r));
     case WF_YAML_TABLE:

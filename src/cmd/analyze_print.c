@@ -168,7 +168,7 @@ static void print_event(FILE *to, const struct wf_analysis *an, enum wf_criterio
 {
     if (b->row < 0) return;
     if (wf_criteria[criterion].whole) {
-        wf_show(to, "; the tree overturns");
+        wf_show(to, "; the tree %s", wf_criteria[criterion].event);
         return;
     }
     wf_show(to, "; the %s %s %.2f m above the ground",
@@ -230,6 +230,32 @@ static void print_anchorage(FILE *to, const struct wf_analysis *an)
     if (q->scatter > 0)
         wf_show(to, "  two of three such trees lie within a factor %.2f of that anchorage\n",
                 exp(q->scatter));
+}
+
+/* How far the tree moves, where limits are given; they do not lose it. */
+static void print_room(FILE *to, const struct wf_analysis *an)
+{
+    static const enum wf_criterion_id room[] = { WF_CORRIDOR, WF_TIP_ANGLE };
+    const struct wf_scenario *s = &an->scenario;
+    const struct wf_at_speed *last = wf_verdict_wind(an);
+    for (size_t k = 0; k < WF_COUNT(room); k++) {
+        const struct wf_criterion *x = &wf_criteria[room[k]];
+        enum wf_scope scope = wf_criterion_scope(x);
+        const struct wf_break *b = &an->breaks[room[k]][scope];
+        if (b->critical.outcome == WF_CRITICAL_NO_STRENGTH) continue;
+        if (room[k] == WF_CORRIDOR)
+            wf_show(to, "  corridor at %.4g m from the base of the stem: ", s->corridor);
+        else
+            wf_show(to, "  limit of %.4g deg for the turn of the tip: ", degrees(s->tip_angle));
+        if (b->critical.outcome == WF_CRITICAL_SELF_WEIGHT)
+            wf_show(to, "in still air");
+        else
+            print_wind(to, an, &b->critical);
+        print_event(to, an, room[k], b);
+        double safety = last ? last->worst[room[k]][scope].safety : (double)NAN;
+        if (isfinite(safety)) wf_show(to, "; at %.6g m/s %.0f %% of the limit", last->speed, 100 / safety);
+        fputc('\n', to);
+    }
 }
 
 /* One class of branches: what is nearest to failing at the strongest given wind. */
@@ -296,6 +322,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
     if (v.loss && !wf_criteria[v.criterion].whole) print_weight(to, an, v.loss);
     print_others(to, an, &v);
     print_anchorage(to, an);
+    print_room(to, an);
     print_first(to, an);
 }
 

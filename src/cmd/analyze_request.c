@@ -96,6 +96,13 @@ static bool winter_unused(const void *options, const struct wf_option *row, char
     return wf_option_unused(isnan(o->snow) && isnan(o->ice), why, "without --snow and --ice");
 }
 
+static bool corridor_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(isnan(((const struct wf_analyze_options *)options)->corridor), why,
+                            "without --corridor");
+}
+
 #define OPTIONS struct wf_analyze_options
 const struct wf_option wf_analyze_options[] = {
     STUDY,
@@ -117,6 +124,13 @@ const struct wf_option wf_analyze_options[] = {
     WF_ANCHORAGE_ROWS(anchorage),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
+    NUMBER("--corridor", corridor, "DISTANCE", LENGTH, "m", 0.01, 200, NULL,
+           "distance of a corridor, as of a power line, from the base of the stem: also the wind in which a "
+           "part of the tree reaches it"),
+    NUMBER("--corridor-towards", corridor_towards, "ANGLE", ANGLE, "deg", -360, 360, NULL,
+           "direction that it lies in, from +x towards +y [where the wind blows]", .unused = corridor_unused),
+    NUMBER("--tip-angle-limit", tip_angle, "ANGLE", ANGLE, "deg", 0.1, 179, NULL,
+           "also the wind in which the tip of the stem turns by this angle"),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
@@ -247,6 +261,8 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     s->winds_said = o->args.winds_said;
     s->wind_notes = o->args.wind_notes;
     s->azimuth = o->azimuth;
+    if (o->corridor > 0) s->corridor = o->corridor, s->corridor_towards = o->corridor_towards;
+    if (o->tip_angle > 0) s->tip_angle = o->tip_angle;
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;

@@ -34,8 +34,9 @@ struct wf_analyze_options {
     double snow, snow_density, ice; /* [m], [kg m-3], [m]; NAN: not given        */
     double winter_wind;             /* share of the wind named [-] */
     struct wf_water_asked water;
-    double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
-    double branches_from;            /* [m]                                       */
+    double root_stiffness, speed_up;              /* [N m rad-1]; [-]; NAN: not given          */
+    double branches_from;                         /* [m]                                       */
+    double corridor, corridor_towards, tip_angle; /* [m], [rad], [rad]; NAN: not given */
     struct wf_pages pages;
 };
 

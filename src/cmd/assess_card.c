@@ -3,11 +3,26 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
 #include "wind/wind.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- The card ---- */
+
+static enum wf_crown_form form_of(const char *word)
+{
+    int k = 0;
+    while (word && wf_crown_form_words[k] && strcmp(word, wf_crown_form_words[k])) k++;
+    return word && wf_crown_form_words[k] ? (enum wf_crown_form)k : WF_FORM_ELLIPSE;
+}
+
+/* Width of a crown of that form and depth with this area. */
+static double width_of(double area, enum wf_crown_form form, double depth)
+{
+    const struct wf_silhouette one = { .area = NAN, .width = 1, .depth = depth, .form = form };
+    return area / wf_silhouette_area(&one);
+}
 
 static struct wf_card card_of(const struct wf_assess_options *o)
 {
@@ -17,8 +32,10 @@ static struct wf_card card_of(const struct wf_assess_options *o)
                          .dbh = o->dbh,
                          .crown_width = t->crown.width,
                          .crown_base = o->crown_base,
+                         .form = form_of(t->crown_form),
                          .lean = o->lean };
     if (isnan(c.crown_base)) c.crown_base = o->height - t->crown.depth;
+    if (!isnan(t->crown.area)) c.crown_width = width_of(t->crown.area, c.form, c.height - c.crown_base);
     if (isnan(c.crown_base) && t->outline) c.crown_base = 0; /* the outline says where the crown is */
     if (!isnan(o->lean_towards)) c.lean_azimuth = wf_wind_azimuth(o->lean_towards + WF_PI, o->run.north);
     return c;
@@ -107,6 +124,37 @@ static bool towards_unused(const void *options, const struct wf_option *row, cha
     return wf_option_unused(!(((const struct wf_assess_options *)options)->lean > 0), why, "without --lean");
 }
 
+/* ---- Changes ---- */
+
+/* "20 %" or "3 m". Returned: whether it is one of them. */
+static bool read_reduction(const char *text, struct wf_card_change *out)
+{
+    double v;
+    const char *unit = text ? wf_number_read(text, text + strlen(text), '.', &v) : NULL;
+    if (!unit) return !text;
+    unit += strspn(unit, " ");
+    if (!strcmp(unit, "%")) out->reduce_share = v / 100;
+    if (!strcmp(unit, "m")) out->reduce_length = v;
+    return (out->reduce_share > 0 && out->reduce_share <= 0.9) ||
+           (out->reduce_length > 0 && out->reduce_length <= 50);
+}
+
+static bool reduce_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const char *text = ((const struct wf_assess_options *)options)->reduce;
+    struct wf_card_change change = { 0 };
+    (void)row;
+    return wf_option_unused(!read_reduction(text, &change), why,
+                            "'%.60s' is no reduction: a share up to 90%%, 20%%, or a length up to 50 m, 3m",
+                            text);
+}
+
+static bool change_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(of_table(options), why, "with a table of trees; a card has it");
+}
+
 /* ---- The rows ---- */
 
 #define OPTIONS struct wf_assess_options
@@ -131,6 +179,24 @@ static const struct wf_option card_rows[] = {
          "ground), a point a row, or an SVG file with one closed path"),
     NUMBER("--required-safety", required, "NUMBER", NONE, NULL, 1, 10, "1.5",
            "safety that is required, of arborists' practice"),
+    TEXT("--reduce", reduce, "SHARE|LENGTH", NULL,
+         "beside the tree as it stands: its crown reduced all round, by a share of its height and width "
+         "(20%) or "
+         "by a length (3m)",
+         .wrong = reduce_wrong, .unused = change_unused),
+    NUMBER("--thin", thin, "SHARE", NONE, NULL, 0, 0.9, NULL, "share of the crown taken out (15%)",
+           .unused = change_unused),
+    FLAG("--leaf-off", leaf_off, "when the leaves have fallen", .unused = change_unused),
+    NUMBER("--cavity-growth", cavity_growth, "LENGTH", LENGTH, "mm", 0, 1000, NULL,
+           "off the walls of the cavities", .unused = change_unused),
+    NUMBER("--root-loss", root_loss, "SHARE", NONE, NULL, 0, 0.95, NULL,
+           "share of the anchorage that is lost with roots, the same from all sides: a rule of ours",
+           .unused = change_unused),
+    TEXTS(
+        "--scenarios", scenarios, "KEY=VALUE[+KEY=VALUE],...",
+        "more such trees, each by keys of a card: reduce=3m, thin=15%+reduce=10%, snow=20cm, terrain=II (the "
+        "neighbours felled)",
+        .unused = change_unused),
     TEXT("--output", run.output, "PATH", NULL,
          "write results, tables, plots and pages there, as 'windfirm analyze' does [the terminal alone]; of "
          "a table "
@@ -186,6 +252,11 @@ const struct wf_option *wf_assess_options_of(struct wf_assess_options *o)
 }
 _Static_assert(offsetof(struct wf_assess_options, run) == 0, "rows of analyze are taken as they are");
 
+bool wf_assess_changes(const struct wf_option *row)
+{
+    return row->unused == change_unused && strcmp(row->name, "--scenarios");
+}
+
 /* ---- The model ---- */
 
 enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct wf_species *sp,
@@ -197,6 +268,63 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     if (s || !sp) return s;
     if ((s = wf_card_model(&c, sp, a, out, e))) return s;
     if (o->name) out->name = o->name;
-    beside.crown.width = beside.crown.depth = NAN; /* they are the card's */
+    beside.crown.width = beside.crown.depth = beside.crown.area = NAN; /* they are the card's */
     return wf_tree_asked_onto(&beside, false, a, out, d, e);
+}
+
+/* ---- One tree apart ---- */
+
+static enum wf_status change_model(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
+{
+    const struct wf_assess_options *o = &c->options;
+    struct wf_card_change change = { .thin = o->thin, .cavity_growth = o->cavity_growth };
+    (void)read_reduction(o->reduce, &change);
+    if (o->leaf_off) wf_model_set_season(&c->model, WF_LEAF_OFF);
+    return wf_card_change(&change, a, &c->model, &c->cut, e);
+}
+
+/* The roots grew with the whole tree. */
+static enum wf_status change_roots(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_anchorage_request *q = WF_TAKE(a, 1, struct wf_anchorage_request);
+    if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
+    if (c->request.scenario.anchorage) *q = *c->request.scenario.anchorage;
+    q->grown = c->options.height;
+    q->lost = fmax(0, c->options.root_loss);
+    if (c->request.scenario.anchorage) c->request.scenario.anchorage = q;
+    return WF_OK;
+}
+
+enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
+                                   struct wf_err *e)
+{
+    enum wf_status s = wf_assess_model(&c->options, c->species, a, &c->model, d, e);
+    if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
+    c->request.search.bare = true;
+    if (!WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
+        c->request.solve.mesh_tolerance = 0.0;
+        c->request.solve.tolerance = fmax(c->request.solve.tolerance, 1e-2); /* its square is left */
+    }
+    if (!s) s = change_model(c, a, e);
+    return s ? s : change_roots(c, a, e);
+}
+
+enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_err *e)
+{
+    struct wf_analyze_request *q = &c->request;
+    const struct wf_speeds *wind = &c->options.run.wind;
+    const struct wf_design_words *design = &c->options.run.profile.design;
+    struct wf_assess_direction around[WF_ASSESS_DIRECTIONS];
+    double worst = q->scenario.azimuth;
+    enum wf_status s = WF_OK;
+    if (!wf_assess_is_round(&c->model) && !q->scenario.site)
+        s = wf_assess_around(c->species, &c->model, &q->scenario, q->solver, &q->solve,
+                             wind->speed[wind->n - 1], q->directions.north, around, &worst, e);
+    if (!WF_GIVEN(&c->options.run, azimuth)) q->scenario.azimuth = worst;
+    if (!s)
+        s = wf_analyze(c->species, &c->model, &q->scenario, &q->search, q->solver, &q->solve, wind->speed,
+                       wind->n, a, d, &c->an, e);
+    if (!s) s = wf_interval_take(&c->an, &q->solve, &q->interval, true, a, e);
+    return s ? s : wf_assess(&c->an, &q->solve, c->options.required, design->code ? design : NULL, &c->x, e);
 }

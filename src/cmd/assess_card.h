@@ -4,20 +4,45 @@
 /* Options of windfirm assess: a tree card, and those of windfirm analyze that go with it. */
 #include "cmd/analyze_request.h"
 #include "grow/card.h"
+#include "study/assessment.h"
 
 struct wf_assess_options {
     struct wf_analyze_options run; /* comes first: its rows are taken as they are */
     const char *name, *species;    /* NULL: not given */
     double height, girth, dbh, crown_base;
-    double lean, lean_towards; /* [rad], clockwise from north; NAN: not given */
-    double required;           /* safety [-] */
+    double lean, lean_towards;             /* [rad], clockwise from north; NAN: not given */
+    double required;                       /* safety [-] */
+    const char *reduce;                    /* "20 %" or "3 m"; NULL: not given */
+    double thin, cavity_growth, root_loss; /* [-], [m], [-]; NAN: not given */
+    bool leaf_off;
+    const char *scenarios; /* NULL: none */
 };
 
 /* Set the options that are not rows of assess, and give its rows; they end at name == NULL. */
 const struct wf_option *wf_assess_options_of(struct wf_assess_options *o);
 
-/* The model of a card with all that is said of its tree; `sp` NULL: the species is not known, only the card
- * is checked. Errors: WF_EINPUT with mistakes in `d`; any other error is in `e`. */
+/* Is this row of the options something that is done to the tree, or happens to it? */
+bool wf_assess_changes(const struct wf_option *row);
+
+/* The model of a card with all that is said of its tree, without changes; `sp` NULL: the species is not
+ * known, only the card is checked. Errors: WF_EINPUT with mistakes in `d`; any other error is in `e`. */
 enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct wf_species *sp,
                                struct wf_arena *a, struct wf_model *out, struct wf_diag *d, struct wf_err *e);
+
+/* One tree in one wind, apart from a run of its own: with the changes of its options, without results. */
+struct wf_assess_case {
+    struct wf_assess_options options;
+    const struct wf_species *species;
+    struct wf_model model;
+    struct wf_analyze_request request;
+    double cut; /* share of the crown's frontal area that the changes take [-] */
+    struct wf_analysis an;
+    struct wf_assessment x;
+};
+/* Given: options and species. Returned: model and request. Errors: as wf_assess_model. */
+enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
+                                   struct wf_err *e);
+/* Given: what the former returned. Returned: the analysis, in the weakest direction, and the assessment. */
+enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_err *e);
 #endif

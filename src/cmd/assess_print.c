@@ -172,6 +172,51 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
 }
 
+static void print_scenario(FILE *to, const char *name, double cut, double breakage, double overturning,
+                           double critical, enum wf_assess_word word)
+{
+    wf_show(to, "%36.36s", name);
+    if (cut > 0)
+        wf_show(to, "%7.0f %%%s", 100 * cut, cut > WF_ASSESS_CUT_FLAGGED ? "!" : " ");
+    else
+        wf_show(to, "%10s", "- ");
+    print_number(to, 10, breakage);
+    print_number(to, 13, overturning);
+    print_number(to, 13, critical);
+    wf_show(to, "  %s\n", wf_assess_rows[word].name);
+}
+
+/* The tree as it stands beside what may be done to it. */
+static void print_scenarios(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_assessment *x = an->assessment;
+    struct wf_verdict v = wf_verdict_of(an->breaks);
+    bool flagged = x->reduction_cut > WF_ASSESS_CUT_FLAGGED;
+    if (isfinite(x->reduction))
+        wf_show(to,
+                "  least reduction of the crown for a safety of %.3g: %.0f %% of its height and width, %.0f "
+                "%% of "
+                "its area\n",
+                x->required, 100 * x->reduction, 100 * x->reduction_cut);
+    else if (isinf(x->reduction))
+        wf_show(to, "  no reduction of the crown up to 60 %% reaches a safety of %.3g\n", x->required);
+    if (x->scenarios) {
+        wf_show(to, "\n%36s%10s%10s%13s%13s  verdict\n", "what is done", "crown cut", "breakage",
+                "overturning", "critical m/s");
+        print_scenario(to, "as it stands", 0, x->breakage.safety, x->overturning.safety,
+                       v.loss ? v.loss->critical.speed : (double)NAN, x->word);
+    }
+    for (size_t k = 0; k < x->scenarios; k++) {
+        const struct wf_assess_scenario *q = &x->scenario[k];
+        print_scenario(to, q->name, q->cut, q->breakage, q->overturning, q->critical, q->word);
+        flagged = flagged || q->cut > WF_ASSESS_CUT_FLAGGED;
+    }
+    if (x->scenarios) wf_show(to, "  scenarios are without an interval: 'incomplete' may be uncertain\n");
+    if (flagged)
+        wf_show(to, "  !: more than %.0f %% of the crown: a loss that harms the tree\n",
+                100 * WF_ASSESS_CUT_FLAGGED);
+}
+
 void wf_print_assessment(FILE *to, const struct wf_analysis *an)
 {
     static const char *const shown[WF_ASSESS_WORDS] = { "UNKNOWN",   "LOST",       "INSUFFICIENT",
@@ -186,5 +231,6 @@ void wf_print_assessment(FILE *to, const struct wf_analysis *an)
     print_critical(to, an);
     print_years(to, an);
     print_directions(to, x);
+    print_scenarios(to, an);
     print_missing(to, an);
 }

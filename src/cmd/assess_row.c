@@ -7,6 +7,7 @@
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "data/species.h"
+#include "data/species_names.h"
 #include "load/drag.h"
 #include "study/verdict.h"
 #include <ctype.h>
@@ -53,7 +54,8 @@ static const struct known {
 
 enum { SPECIES_KEPT = 256 };
 struct kept_species {
-    const char *path;
+    const char *name; /* as a cell or the command line has it */
+    bool cell;
     struct wf_species species;
 };
 
@@ -154,14 +156,14 @@ static const char *state_word(const struct wf_tree_row *r)
     return word[r->state];
 }
 
-static const struct wf_critical *loss(const struct wf_row_result *r, enum wf_criterion_id *by)
+static const struct wf_critical *loss(const struct wf_assess_case *r, enum wf_criterion_id *by)
 {
     struct wf_verdict v = wf_verdict_of(r->an.breaks);
     *by = v.criterion;
     return v.loss ? &v.loss->critical : NULL;
 }
 
-static void put_result(const struct wf_row_result *r, char separator, bool years, FILE *to)
+static void put_result(const struct wf_assess_case *r, char separator, bool years, FILE *to)
 {
     const struct wf_assessment *x = &r->x;
     enum wf_criterion_id by;
@@ -233,7 +235,7 @@ void wf_tree_row_write(const struct wf_tree_columns *c, const struct wf_tree_row
         fputc(s, to), put_warnings(&row->diag, s, to);
         if (c->stands) {
             fputc(s, to);
-            if (row->state == WF_ROW_DONE && row->stand.asked)
+            if (row->state == WF_ROW_DONE && row->in_stand)
                 put_result(&row->stand, s, false, to);
             else
                 put_nothing(stand, s, to);
@@ -359,14 +361,15 @@ static const struct wf_species *species_of(struct wf_tree_columns *c, const char
     struct wf_err why = { WF_OK, "" };
     struct wf_diag d = { .arena = &row->arena };
     const char *path = name;
-    enum wf_status s = cell ? wf_shipped_path(wf_share(), "species", name, &row->arena, &path, &why)
+    for (size_t k = 0; k < c->kept; k++)
+        if (c->keep[k].cell == cell && !strcmp(c->keep[k].name, name)) return &c->keep[k].species;
+    enum wf_status s = cell ? wf_species_path(wf_share(), name, &wf_laws, &row->arena, &path, &why)
                             : wf_shipped("species", name, &row->arena, &path, &d, &why);
-    for (size_t k = 0; k < c->kept && !s; k++)
-        if (!strcmp(c->keep[k].path, path)) return &c->keep[k].species;
     if (!s && c->kept == SPECIES_KEPT) s = wf_fail(&why, WF_EINPUT, "more than %d species", SPECIES_KEPT);
     struct kept_species *k = &c->keep[c->kept];
     if (!s) s = wf_species_read(path, &wf_laws, &c->arena, &k->species, &d, &why);
-    if (!s && (k->path = wf_arena_text(&c->arena, path))) {
+    if (!s && (k->name = wf_arena_text(&c->arena, name))) {
+        k->cell = cell;
         c->kept++;
         return &k->species;
     }
@@ -383,22 +386,12 @@ static void take_reason(struct wf_tree_row *row, const struct wf_err *why)
 }
 
 /* From options to what is computed. Mistakes become the row's reason. */
-static void prepare(struct wf_tree_columns *c, struct wf_tree_row *row, struct wf_row_result *out)
+static void prepare(struct wf_tree_columns *c, struct wf_tree_row *row, struct wf_assess_case *out)
 {
     struct wf_err why = { WF_OK, "" };
-    bool cell =
-        row_of(c->line->run.args.option, "--species") != NONE && out->options.species != c->line->species;
-    if (!row->species && !(row->species = species_of(c, out->options.species, cell, row))) return;
-    enum wf_status s =
-        wf_assess_model(&out->options, row->species, &row->arena, &row->model, &row->diag, &why);
-    if (!s) s = wf_analyze_request_read(&out->options.run, &row->arena, &row->diag, &out->request, &why);
-    out->request.search.bare = true;
-    if (!WF_GIVEN(&c->line->run, mesh_tolerance)) { /* as for the samples of an interval */
-        out->request.solve.mesh_tolerance = 0.0;
-        out->request.solve.tolerance = fmax(out->request.solve.tolerance, 1e-2); /* its square is left */
-    }
-    out->asked = !s;
-    if (s) take_reason(row, &why);
+    bool cell = out->options.species != c->line->species;
+    if (!(out->species = species_of(c, out->options.species, cell, row))) return;
+    if (wf_assess_case_read(out, &row->arena, &row->diag, &why)) take_reason(row, &why);
 }
 
 static bool any_stand_cell(const struct wf_tree_columns *c, const struct wf_rows *r)
@@ -466,6 +459,7 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
     if (!s && !out->reason && any_stand_cell(c, r)) {
         s = read_options(c, r, true, out, &out->stand.options, e);
         if (!s && !out->reason) prepare(c, out, &out->stand);
+        out->in_stand = true;
     }
     if (!s && !out->reason) out->state = WF_ROW_READ;
     return s;
@@ -473,31 +467,12 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
 
 /* ---- Assessing it ---- */
 
-static enum wf_status assess_one(struct wf_tree_row *row, struct wf_row_result *r, struct wf_err *e)
-{
-    struct wf_analyze_request *q = &r->request;
-    const struct wf_speeds *wind = &r->options.run.wind;
-    const struct wf_design_words *design = &r->options.run.profile.design;
-    struct wf_assess_direction around[WF_ASSESS_DIRECTIONS];
-    double worst = q->scenario.azimuth;
-    enum wf_status s = WF_OK;
-    if (!wf_assess_is_round(&row->model) && !q->scenario.site)
-        s = wf_assess_around(row->species, &row->model, &q->scenario, q->solver, &q->solve,
-                             wind->speed[wind->n - 1], q->directions.north, around, &worst, e);
-    if (!WF_GIVEN(&r->options.run, azimuth)) q->scenario.azimuth = worst;
-    if (!s)
-        s = wf_analyze(row->species, &row->model, &q->scenario, &q->search, q->solver, &q->solve, wind->speed,
-                       wind->n, &row->arena, &row->diag, &r->an, e);
-    if (!s) s = wf_interval_take(&r->an, &q->solve, &q->interval, true, &row->arena, e);
-    return s ? s : wf_assess(&r->an, &q->solve, r->options.required, design->code ? design : NULL, &r->x, e);
-}
-
 void wf_tree_row_assess(struct wf_tree_row *row)
 {
     struct wf_err why = { WF_OK, "" };
     if (row->state != WF_ROW_READ) return;
-    enum wf_status s = assess_one(row, &row->single, &why);
-    if (!s && row->stand.asked) s = assess_one(row, &row->stand, &why);
+    enum wf_status s = wf_assess_case_run(&row->single, &row->arena, &row->diag, &why);
+    if (!s && row->in_stand) s = wf_assess_case_run(&row->stand, &row->arena, &row->diag, &why);
     row->state = s ? WF_ROW_FAILED : WF_ROW_DONE;
     if (s) take_reason(row, &why);
 }

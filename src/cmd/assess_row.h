@@ -4,7 +4,6 @@
 /* One row of a table of trees: from its cells to an assessment, and to the cells that are added. */
 #include "base/rows.h"
 #include "cmd/assess_card.h"
-#include "study/assessment.h"
 #include <stdio.h>
 
 struct wf_tree_columns; /* which column is which option, and the species that were read */
@@ -17,24 +16,14 @@ enum wf_row_state {
     WF_ROW_FAILED   /* the computation failed */
 };
 
-/* One tree in one kind of wind. */
-struct wf_row_result {
-    bool asked;
-    struct wf_assess_options options;
-    struct wf_analyze_request request;
-    struct wf_analysis an;
-    struct wf_assessment x;
-};
-
 struct wf_tree_row {
     struct wf_arena arena; /* of all below */
     enum wf_row_state state;
     const char *text;   /* the row as it is to be written, in the columns of the table */
     const char *reason; /* NULL: none */
-    const struct wf_species *species;
-    struct wf_model model;
     struct wf_diag diag;
-    struct wf_row_result single, stand; /* as given; as a tree of a stand, where its spacing is a cell */
+    struct wf_assess_case single, stand; /* as given; as a tree of a stand, where its spacing is a cell */
+    bool in_stand;
 };
 
 /* Recognise the columns of a table by their names, in English, German, French and Chinese, with units in or

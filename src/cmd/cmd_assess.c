@@ -5,6 +5,7 @@
 #include "cmd/args.h"
 #include "cmd/assess_card.h"
 #include "cmd/assess_print.h"
+#include "cmd/assess_scenarios.h"
 #include "cmd/assess_table.h"
 #include "data/species.h"
 #include "study/assessment.h"
@@ -13,6 +14,7 @@
 struct work {
     struct wf_analyze_work run; /* comes first: the hooks are called with it */
     struct wf_assess_options options;
+    struct wf_assess_list list;
     size_t directions; /* 0: all alike */
     struct wf_assess_direction direction[WF_ASSESS_DIRECTIONS];
 };
@@ -25,6 +27,7 @@ static enum wf_status take_tree(struct wf_analyze_work *run, struct wf_diag *d, 
     struct wf_diag unsaid = { .arena = &run->arena };
     struct wf_err why = { WF_OK, "" };
     if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
+    if (wf_assess_list_read(&w->options, &run->arena, d, &w->list, e)) return e->code;
     bool known = !wf_species_named(w->options.species, &run->arena, sp, &unsaid, &why);
     return wf_assess_model(&w->options, known ? sp : NULL, &run->arena, &run->model, d, e);
 }
@@ -55,6 +58,7 @@ static enum wf_status take_assessment(struct wf_analyze_work *run, struct wf_ana
         return e->code;
     out->directions = w->directions, out->direction = w->direction;
     an->assessment = out;
+    if (wf_assess_list_run(&w->list, &w->options, run->species, &run->arena, out, e)) return e->code;
     if (!run->options.args.quiet) wf_print_assessment(stdout, an);
     return WF_OK;
 }

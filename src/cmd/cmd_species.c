@@ -1,30 +1,72 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "data/species.h"
+#include "data/species_names.h"
 #include "load/drag.h"
 #include "load/load.h"
 #include <stdio.h>
 #include <string.h>
 
-static int list_species(struct wf_arena *a)
+struct species_options {
+    struct wf_args args;
+    const char *search; /* NULL: all tables are listed */
+};
+
+static bool search_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_args *args = options;
+    (void)row;
+    return wf_option_unused(args->n && strcmp(args->operand[0], "list") != 0, why, "without 'list'");
+}
+
+#define OPTIONS struct species_options
+static const struct wf_option options[] = {
+    TEXT("--search", search, "TEXT", NULL,
+         "with list: only tables one of whose names has this text in it: Latin, English, Chinese, German, "
+         "French; "
+         "letter case and accents make no difference",
+         .unused = search_unused),
+    { 0 },
+};
+#undef OPTIONS
+
+/* found: the name by which the table was found; NULL: without a search. */
+static void list_one(const struct wf_species *sp, const char *found)
+{
+    wf_show(stdout, "%-18s %-8s %-28s %s", sp->key, strcmp(sp->preset, "corrected") ? "printed" : "",
+            sp->name, sp->latin ? sp->latin : "");
+    wf_show(stdout, found ? "; found by %s\n" : "\n", found);
+}
+
+static int nothing_found(const struct wf_species_library *l, const char *text, struct wf_arena *a)
+{
+    enum { NEAR_MAX = 6 };
+    const struct wf_species *near[NEAR_MAX];
+    size_t n = wf_species_near(l, text, a, near, NEAR_MAX);
+    wf_show(stderr, "windfirm species: no table has '%s' in a name", text);
+    for (size_t i = 0; i < n; i++) wf_show(stderr, "%s%s", i ? ", " : "; the nearest: ", near[i]->key);
+    wf_show(stderr, "\n");
+    return 2;
+}
+
+static int list_species(const char *search, struct wf_arena *a)
 {
     struct wf_diag d = { .arena = a };
-    const char **names, *path;
-    size_t n = wf_shipped_names(wf_share(), "species", a, &names);
-    if (!n) return wf_complain(&(struct wf_err){ WF_EINPUT, "no species tables are installed" });
-    wf_show(stdout, "%-18s %-8s %-28s %s\n", "name", "preset", "species", "latin");
-    for (size_t i = 0; i < n; i++) {
-        struct wf_species sp;
-        if (wf_shipped_path(wf_share(), "species", names[i], a, &path, NULL)) continue;
-        if (wf_species_read(path, &wf_laws, a, &sp, &d, NULL)) continue;
-        wf_show(stdout, "%-18s %-8s %-28s %s\n", sp.key, strcmp(sp.preset, "corrected") ? "printed" : "",
-                sp.name, sp.latin ? sp.latin : "");
+    struct wf_err e = { 0 };
+    struct wf_species_library l;
+    size_t shown = 0;
+    if (wf_species_library_read(wf_share(), &wf_laws, a, &l, &d, &e)) return wf_complain(&e);
+    for (size_t i = 0; i < l.n; i++) {
+        const char *found = search ? wf_species_name_with(&l.species[i], search, a) : NULL;
+        if (search && !found) continue;
+        if (!shown++) wf_show(stdout, "%-18s %-8s %-28s %s\n", "name", "preset", "species", "latin");
+        list_one(&l.species[i], found);
     }
     wf_print_findings(&d, false);
+    if (search && !shown) return nothing_found(&l, search, a);
     return d.errors ? 2 : 0;
 }
 
@@ -77,6 +119,8 @@ static int show_species(const char *name, struct wf_arena *a)
     if (wf_units_open(&u, &e)) return wf_complain(&e);
     wf_show(stdout, "%s, %s%s%s%s%s\nfile: %s; preset: %s\n", sp.key, sp.name, sp.name_zh ? " " : "",
             sp.name_zh ? sp.name_zh : "", sp.latin ? ", " : "", sp.latin ? sp.latin : "", sp.file, sp.preset);
+    for (size_t i = 0; i < sp.aliases; i++)
+        wf_show(stdout, i + 1 < sp.aliases ? "%s%s" : "%s%s\n", i ? ", " : "names: ", sp.alias[i]);
     if (sp.note) wf_show(stdout, "%s\n", sp.note);
     for (size_t i = 0; i < sp.levels; i++) {
         wf_show(stdout, "\nlevel %zu: %s\n", i, sp.level[i].name);
@@ -90,18 +134,18 @@ static int show_species(const char *name, struct wf_arena *a)
 
 int wf_cmd_species(int argc, char **argv)
 {
-    static const char about[] = "  windfirm species list\n  windfirm species show moso_bamboo";
+    static const char about[] = "  windfirm species list\n  windfirm species list --search linde\n"
+                                "  windfirm species show moso_bamboo";
     static const char *const words[] = { "list", "show" };
-    static const struct wf_option none[] = { { 0 } };
     struct wf_arena arena = { 0 };
-    struct wf_args args;
-    int code = wf_args_read(argc, argv, none, about, 1, 2, &arena, &args);
+    struct species_options o;
+    int code = wf_args_read(argc, argv, options, about, 1, 2, &arena, &o.args);
     if (code < 0) {
-        const char *what = args.operand[0];
-        if (strcmp(what, "list") == 0 && args.n == 1)
-            code = list_species(&arena);
-        else if (strcmp(what, "show") == 0 && args.n == 2)
-            code = show_species(args.operand[1], &arena);
+        const char *what = o.args.operand[0];
+        if (strcmp(what, "list") == 0 && o.args.n == 1)
+            code = list_species(o.search, &arena);
+        else if (strcmp(what, "show") == 0 && o.args.n == 2)
+            code = show_species(o.args.operand[1], &arena);
         else {
             wf_show(stderr, "windfirm species: '%s' is neither 'list' nor 'show NAME'%s\n", what,
                     wf_did_you_mean(what, words, WF_COUNT(words)).text);

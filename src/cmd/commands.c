@@ -5,6 +5,7 @@
 #include "base/progress.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "data/species_names.h"
 #include "load/drag.h"
 #include "out/printer.h"
 #include "out/report.h"
@@ -118,7 +119,8 @@ enum wf_status wf_shipped(const char *room, const char *name, struct wf_arena *a
 {
     *path = name;
     if (strpbrk(name, "/.") || wf_file_is_there(name)) return WF_OK;
-    enum wf_status s = wf_shipped_path(wf_share(), room, name, a, path, e);
+    enum wf_status s = strcmp(room, "species") == 0 ? wf_species_path(wf_share(), name, &wf_laws, a, path, e)
+                                                    : wf_shipped_path(wf_share(), room, name, a, path, e);
     if (!s && access(name, F_OK) == 0)
         wf_diag_warn(d, "folder-passed-over",
                      "%s is a folder here; the shipped file of that name is taken: %s", name, *path);

@@ -55,8 +55,9 @@ int wf_complain(const struct wf_err *e);
 /* Folder with the shipped species/, models/ and validation/: $WINDFIRM_SHARE, else where it was installed. */
 const char *wf_share(void);
 /* The file a user means: the path itself when it is a file or looks like a path, else the shipped
- * SHARE/room/NAME.yaml. A folder of that name is no such file; a warning in `d` says that it was passed over.
- * Returned: *path in the arena. Errors: those of wf_shipped_path. */
+ * SHARE/room/NAME.yaml; a species table also by any of its names. A folder of that name is no such file; a
+ * warning in `d` says that it was passed over. Returned: *path in the arena. Errors: those of wf_shipped_path
+ * and wf_species_path. */
 enum wf_status wf_shipped(const char *room, const char *name, struct wf_arena *a, const char **path,
                           struct wf_diag *d, struct wf_err *e);
 /* Read the species table or the tree model that a user means, as wf_shipped finds it. Errors: its errors, and

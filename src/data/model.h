@@ -65,6 +65,7 @@ struct wf_silhouette {
     double density;  /* the same per volume of the cone of width and depth [kg m-3] */
     const char *by;  /* the same by a rule of data/crown_mass.h; NULL: none */
     double leafless; /* share of the load that is left without leaves [-]; NAN: by the tree's kind */
+    double thinned;  /* share of the crown's load and mass that was taken out [-]; 0: none */
 };
 
 struct wf_model {

@@ -299,6 +299,15 @@ static const struct wf_yaml_row species_rows[] = {
     { TEXT("name_zh", name_zh), .absent = "no Chinese name", .doc = "Chinese name.", .example = "毛竹" },
     { TEXT("latin", latin), .absent = "no Latin name", .doc = "Latin name.",
       .example = "Phyllostachys edulis" },
+    { .key = "names",
+      .kind = WF_YAML_WORDS,
+      .offset = offsetof(struct wf_species, alias),
+      .count = offsetof(struct wf_species, aliases),
+      .absent = "no further names",
+      .doc = "Further names of the species in any language: common names, Latin synonyms. Each finds the "
+             "table, as do its "
+             "key and its other names.",
+      .example = "[Mao bamboo, Phyllostachys pubescens, 孟宗竹]" },
     { .key = "preset",
       .kind = WF_YAML_NAME,
       .initial = "corrected",

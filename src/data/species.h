@@ -51,6 +51,8 @@ struct wf_crown {
 
 struct wf_species {
     const char *key, *name, *latin, *name_zh, *note, *file;
+    size_t aliases;
+    const char **alias; /* further names in any language */
     const char *preset; /* "corrected" or the paper whose numbers are printed */
     size_t levels;
     struct wf_level *level;

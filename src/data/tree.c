@@ -270,6 +270,18 @@ void wf_tree_scale(struct wf_tree *t, double length, double radius)
     }
 }
 
+size_t wf_tip_row(const struct wf_tree *t)
+{
+    size_t tip = 0;
+    double highest = -INFINITY;
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] == 0 && t->z1[i] > highest) {
+            highest = t->z1[i];
+            tip = i;
+        }
+    return tip;
+}
+
 const char *wf_scope_name(enum wf_scope s)
 {
     static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };

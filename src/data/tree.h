@@ -43,9 +43,14 @@ struct wf_tree {
     struct wf_tree_sections *section;  /* sections that are not rings; NULL = all rows are rings */
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
-    double anchorage; /* largest moment on the ground that the root carries [N m]; NAN: not known */
-    bool *doubtful;   /* n: rows that no scope holds, because their own weight would nearly break them
-                       * (study/rest.h); NULL = none */
+    double anchorage;      /* largest moment on the ground that the root carries [N m]; NAN: not known */
+    struct wf_room {       /* how far the tree may move */
+        double corridor;   /* distance of a corridor from the base of the stem [m]; 0: none */
+        double towards[2]; /* unit vector of the horizontal direction that it lies in */
+        double tip_angle;  /* limit of the turn of the stem's tip [rad]; 0: none */
+    } room;
+    bool *doubtful; /* n: rows that no scope holds, because their own weight would nearly break them
+                     * (study/rest.h); NULL = none */
 };
 
 /* What a tree that stands in its shape carried when the shape was drawn or measured, beside its wood and the
@@ -109,6 +114,9 @@ struct wf_along {
 double wf_along_at(const struct wf_along *a, double s, double fallback);
 
 #define WF_BREAST_HEIGHT 1.3 /* above the ground, where a stem is measured [m] */
+
+/* The row that ends highest on level 0. */
+size_t wf_tip_row(const struct wf_tree *t);
 
 /* A part of a tree: the whole tree, the stem (level 0), everything but the stem. */
 enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };

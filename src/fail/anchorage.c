@@ -153,7 +153,7 @@ static enum wf_status find_size(const struct wf_anchorage_request *q, const stru
     double d = breast_diameter(t), h = wf_tree_height(t);
     const char *why = isnan(d) ? "the stem is shorter than 1.3 m" : not_by_size(t, sp);
     const struct size_row *row = sizes;
-    (void)q;
+    if (q->grown > 0) h = q->grown;
     if (why) return say(out, why, e);
     while (row->latin && !is_species(sp, row->latin)) row++;
     out->moment = row->factor * d * d * h;
@@ -329,6 +329,10 @@ enum wf_status wf_anchorage_find(const struct wf_anchorage_request *q, const str
     if (s || !m) return s;
     out->scatter = m->scatter;
     s = m->find(q, t, sp, a, out, e);
+    if (!s && q->lost > 0 && out->moment > 0) {
+        out->moment *= 1 - q->lost;
+        s = say(out, wf_arena_print(a, "%s; %.3g %% of it lost", out->text, 100 * q->lost), e);
+    }
     if (!s && out->moment > 0) out->method = m;
     return s;
 }

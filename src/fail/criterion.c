@@ -11,6 +11,40 @@
     "static, an upper bound in a gale: gusts loosen roots; the moment is that of the bent tree with its "    \
     "weight"
 
+static bool corridor_known(const struct wf_tree *t, size_t row)
+{
+    (void)row;
+    return t->room.corridor > 0;
+}
+
+/* The row's end with its radius, from the base of the stem towards the corridor. */
+static double corridor_safety(const struct wf_tree *t, const struct wf_response *r,
+                              const struct wf_breakage *b, size_t row, double *place)
+{
+    const double *to = t->room.towards, *moved = r->end + 3 * row;
+    (void)b;
+    *place = 1;
+    if (!(t->room.corridor > 0)) return NAN;
+    double reach =
+        (t->x1[row] + moved[0] - t->x0[0]) * to[0] + (t->y1[row] + moved[1] - t->y0[0]) * to[1] + t->r1[row];
+    return reach > 0 ? t->room.corridor / reach : INFINITY;
+}
+
+static bool tip_angle_known(const struct wf_tree *t, size_t row)
+{
+    return t->room.tip_angle > 0 && t->parent[row] < 0;
+}
+
+static double tip_angle_safety(const struct wf_tree *t, const struct wf_response *r,
+                               const struct wf_breakage *b, size_t row, double *place)
+{
+    (void)b;
+    *place = 0;
+    if (!tip_angle_known(t, row)) return NAN;
+    double turn = wf_response_slope(t, r, wf_tip_row(t));
+    return turn > 0 ? t->room.tip_angle / turn : INFINITY;
+}
+
 const struct wf_criterion wf_criteria[WF_CRITERIA] = {
     [WF_BREAKAGE] = { .name = "breakage",
                       .event = "breaks",
@@ -56,6 +90,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                          .wants = "tangential_modulus",
                          .section = &wf_section_rules[WF_RULE_OVALISATION] },
     [WF_OVERTURNING] = { .name = "overturning",
+                         .event = "overturns",
                          .source = OVERTURNING,
                          .validity = STATIC,
                          .loses_tree = true,
@@ -63,18 +98,39 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                          .known = wf_overturning_known,
                          .safety = wf_overturning_safety },
     [WF_OVERTURNING_WET] = { .name = "overturning-saturated-high",
+                             .event = "overturns",
                              .source = SATURATED,
                              .validity = "one species; 0.65 of the anchorage; " STATIC,
                              .whole = true,
                              .known = wf_overturning_known,
                              .safety = wf_overturning_safety_wet },
     [WF_OVERTURNING_WETTEST] = { .name = "overturning-saturated-low",
+                                 .event = "overturns",
                                  .source = SATURATED,
                                  .validity = "one species; 0.50 of the anchorage; " STATIC,
                                  .whole = true,
                                  .known = wf_overturning_known,
                                  .safety = wf_overturning_safety_wettest },
+    [WF_CORRIDOR] = { .name = "corridor",
+                      .event = "reaches the corridor",
+                      .source = "geometry of the bent tree",
+                      .validity = "parts that are drawn, with their radius, at any height; the crown of a "
+                                  "stem without branches is not",
+                      .known = corridor_known,
+                      .safety = corridor_safety },
+    [WF_TIP_ANGLE] = { .name = "tip-angle",
+                       .event = "turns its tip to the limit",
+                       .source = "geometry of the bent tree",
+                       .validity = "from the unloaded shape, of a standing tree from the shape drawn",
+                       .whole = true,
+                       .known = tip_angle_known,
+                       .safety = tip_angle_safety },
 };
+
+enum wf_scope wf_criterion_scope(const struct wf_criterion *c)
+{
+    return c->section || c->whole ? WF_SCOPE_STEM : WF_SCOPE_TREE;
+}
 
 bool wf_criterion_knows(const struct wf_criterion *c, const struct wf_tree *t, size_t row)
 {

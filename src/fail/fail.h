@@ -24,6 +24,8 @@ enum wf_criterion_id {
     WF_OVERTURNING,         /* with the anchorage as tested */
     WF_OVERTURNING_WET,     /* in saturated soil, with the higher */
     WF_OVERTURNING_WETTEST, /* and with the lower share of it */
+    WF_CORRIDOR,            /* a part reaches a corridor beside the tree */
+    WF_TIP_ANGLE,           /* the tip turns by more than a limit */
     WF_CRITERIA
 };
 
@@ -141,6 +143,10 @@ struct wf_criterion {
 };
 extern const struct wf_criterion wf_criteria[WF_CRITERIA];
 
+/* The part of the tree whose result stands for a criterion: the stem; the whole tree where any part counts.
+ */
+enum wf_scope wf_criterion_scope(const struct wf_criterion *c);
+
 /* Is the resistance of a row known? */
 bool wf_criterion_knows(const struct wf_criterion *c, const struct wf_tree *t, size_t row);
 
@@ -188,6 +194,8 @@ struct wf_anchorage_request {
     double secant;       /* that moment over that angle [N m rad-1] */
     const struct wf_tipping_curve *curve;
     const struct wf_anchorage_table *table;
+    double grown; /* height that the roots grew with, before the top was cut [m]; 0: the tree's */
+    double lost;  /* share of the anchorage that is lost since [-] */
 };
 
 /* The reason where nothing is said of soil and root. */

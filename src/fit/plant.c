@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "data/species_names.h"
 #include "grow/clothe.h"
 #include "grow/import.h"
 #include "grow/qsm_model.h"
@@ -17,6 +18,7 @@ static enum wf_status find(const struct wf_calibration *c, const char *share, co
                            const char *name, struct wf_arena *a, const char **path, struct wf_err *e)
 {
     if (strpbrk(name, "/.")) return wf_calibration_path(c, name, a, path, e);
+    if (!strcmp(room, "species")) return wf_species_path(share, name, &wf_laws, a, path, e);
     return wf_shipped_path(share, room, name, a, path, e);
 }
 

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "data/crown_mass.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -290,4 +291,81 @@ enum wf_status wf_card_model(const struct wf_card *c, const struct wf_species *s
     if (c->crown_width > 0) out->silhouette.depth = out->crown_top - out->crown_base;
     if (out->name && place_stem(form, c, a, &out->profile)) return WF_OK;
     return wf_fail(e, WF_ENOMEM, "not enough memory for a tree card");
+}
+
+/* ---- What is done to a tree ---- */
+
+/* The stem's profile up to a share of its height. */
+static bool cut_profile(struct wf_along *p, double share, struct wf_arena *a)
+{
+    double *s = WF_TAKE(a, p->n + 1, double), *v = WF_TAKE(a, p->n + 1, double);
+    size_t n = 0;
+    if (!s || !v) return false;
+    for (; n < p->n && p->s[n] < share; n++) s[n] = p->s[n] / share, v[n] = p->v[n];
+    s[n] = 1, v[n] = wf_along_at(p, share, 1);
+    *p = (struct wf_along){ n + 1, s, v };
+    return true;
+}
+
+/* The outline about its base, by factors on width and height. */
+static bool shrink_outline(struct wf_silhouette *c, double wide, double deep, struct wf_arena *a)
+{
+    double *x = WF_TAKE(a, c->points, double), *z = WF_TAKE(a, c->points, double), base = INFINITY;
+    if (!x || !z) return false;
+    for (size_t k = 0; k < c->points; k++) base = fmin(base, c->z[k]);
+    for (size_t k = 0; k < c->points; k++) x[k] = wide * c->x[k], z[k] = base + deep * (c->z[k] - base);
+    c->x = x, c->z = z;
+    return true;
+}
+
+static enum wf_status shrink(struct wf_model *m, double length, double share, struct wf_arena *a,
+                             struct wf_err *e)
+{
+    struct wf_silhouette *c = &m->silhouette;
+    struct wf_outline_size seen = wf_silhouette_size(m, m->height * cos(m->lean));
+    double base = m->crown_base, top = m->crown_top;
+    if (!wf_silhouette_ends(c, m->height, &base, &top)) base = m->crown_base, top = m->crown_top;
+    double depth = top - base, off = length > 0 ? length : share * depth;
+    double deep = 1 - off / depth, wide = length > 0 ? 1 - 2 * length / seen.breadth : 1 - share;
+    if (!(deep > 0.05 && wide > 0.05))
+        return wf_fail(e, WF_EINPUT,
+                       "a reduction of %.3g m leaves nothing of a crown %.3g m high and %.3g m wide", off,
+                       depth, seen.breadth);
+    double height = m->height - off;
+    if (!cut_profile(&m->profile, height / m->height, a) || (c->points && !shrink_outline(c, wide, deep, a)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
+    m->height = m->crown_top = height;
+    if (c->width > 0) c->width *= wide, c->depth *= deep;
+    m->judged_to = fmin(m->judged_to, 0.5 * (m->crown_base + m->crown_top));
+    return WF_OK;
+}
+
+static enum wf_status grow_cavities(double growth, struct wf_arena *a, struct wf_model *m, struct wf_err *e)
+{
+    struct wf_cavity *c = WF_TAKE(a, m->cavities, struct wf_cavity);
+    if (!m->cavities) return wf_fail(e, WF_EINPUT, "no cavity is given that could grow");
+    if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory for a cavity");
+    for (size_t k = 0; k < m->cavities; k++) {
+        c[k] = m->cavity[k];
+        if (isnan(c[k].wall))
+            return wf_fail(e, WF_EINPUT,
+                           "a cavity that is given by rays has no one wall that could be thinner");
+        if (!((c[k].wall -= growth) > 0))
+            return wf_fail(e, WF_EINPUT, "the cavity at %.3g m: nothing of its wall of %.3g mm is left",
+                           c[k].at, 1e3 * m->cavity[k].wall);
+    }
+    m->cavity = c;
+    return WF_OK;
+}
+
+enum wf_status wf_card_change(const struct wf_card_change *x, struct wf_arena *a, struct wf_model *m,
+                              double *cut, struct wf_err *e)
+{
+    double before = wf_silhouette_area(&m->silhouette);
+    enum wf_status s = WF_OK;
+    if (x->reduce_share > 0 || x->reduce_length > 0) s = shrink(m, x->reduce_length, x->reduce_share, a, e);
+    if (!s && x->cavity_growth > 0) s = grow_cavities(x->cavity_growth, a, m, e);
+    if (x->thin > 0) m->silhouette.thinned = x->thin;
+    *cut = 1 - (1 - fmax(x->thin, 0)) * wf_silhouette_area(&m->silhouette) / before;
+    return s;
 }

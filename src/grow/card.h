@@ -59,4 +59,16 @@ struct wf_species;
  * *out in the arena. Errors: WF_EINPUT for a species whose stems are culms; WF_ENOMEM. */
 enum wf_status wf_card_model(const struct wf_card *c, const struct wf_species *sp, struct wf_arena *a,
                              struct wf_model *out, struct wf_err *e);
+
+/* What is done to a tree, or happens to it. */
+struct wf_card_change {
+    double reduce_share, reduce_length; /* off the crown, all round: of its height and width [-]; [m] */
+    double thin;                        /* share of the crown taken out [-] */
+    double cavity_growth;               /* off the wall of each cavity [m] */
+};
+/* Change a card's model: the crown keeps its base and its form; the stem keeps its thickness below the cut.
+ * Returned: *cut, the share of the crown's frontal area that is gone [-]. Errors: WF_EINPUT where nothing of
+ * the crown or of a wall is left; WF_ENOMEM. */
+enum wf_status wf_card_change(const struct wf_card_change *x, struct wf_arena *a, struct wf_model *m,
+                              double *cut, struct wf_err *e);
 #endif

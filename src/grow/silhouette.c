@@ -432,7 +432,8 @@ static enum wf_status onto_area(const struct wf_model *m, const struct wf_specie
 {
     struct wf_outline o;
     double area = wf_silhouette_area(&m->silhouette),
-           factor = season_share(m, c->stem, d) * sp->crown.drag_coefficient.value;
+           factor =
+               season_share(m, c->stem, d) * sp->crown.drag_coefficient.value * (1 - m->silhouette.thinned);
     enum wf_status s = find_outline(m, wf_tree_height(c->t), a, &o, e);
     if (!s) s = check_top(m, wf_tree_height(c->t), e);
     if (s) return s;
@@ -469,8 +470,10 @@ static enum wf_status crown_mass(const struct wf_model *m, const struct wf_speci
     struct wf_err why = { WF_OK, "" };
     const char *said;
     *mass = given(s->density) ? s->density * WF_PI / 12 * seen.breadth * seen.breadth * seen.height : s->mass;
+    *mass *= 1 - s->thinned;
     if (!s->by) return WF_OK;
     enum wf_status status = wf_crown_rule_mass(s->by, sp->key, &size, a, mass, &said, &why);
+    *mass *= 1 - s->thinned;
     if (status) return wf_fail(e, status, "%s: crown_mass_by: %s", m->key, why.text);
     wf_diag_warn(d, "crown-mass-by", "%s: branches and leaves are taken as %.4g kg by %s", m->name, *mass,
                  said);

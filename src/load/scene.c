@@ -31,6 +31,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .category = wf_category_open(),
         .named = { wf_category_open(), 0.0 },
         .carried = 1.0,
+        .corridor_towards = NAN,
         .winter = 1.0,
         .peak = { .method = "en1991", .damping = NAN },
     };
@@ -58,6 +59,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "altitude", "m", s->altitude, -500.0, 11000.0 },
         { "air density", "kg/m3", isnan(s->air_density) ? 1.0 : s->air_density, 1e-6, 2000.0 },
         { "gravity", "m/s2", s->gravity, 0.0, 100.0 },
+        { "distance of the corridor", "m", s->corridor, 0.0, 1000.0 },
+        { "limit of the tip's turn", "rad", s->tip_angle, 0.0, WF_PI },
     };
     if (!s->profile || !wf_profile_named(s->profile))
         return wf_fail(e, WF_EUSAGE, "unknown wind profile '%s'", s->profile ? s->profile : "");

@@ -84,8 +84,11 @@ struct wf_scenario {
     double squall;      /* the same of the design wind at the site at 10 m; 0: no design wind [-] */
     double least;       /* of the profile "code": height below which the wind is constant [m] */
     const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
-    struct wf_peak_request peak;                  /* how the peak load follows from the mean wind */
-    const struct wf_wind_note *wind_notes;        /* the same by parts; NULL: none */
+    double corridor;             /* distance of a corridor from the base of the stem [m]; 0: none */
+    double corridor_towards;     /* where it lies, from +x towards +y [rad]; NAN: where the wind blows */
+    double tip_angle;            /* limit of the turn of the stem's tip [rad]; 0: none */
+    struct wf_peak_request peak; /* how the peak load follows from the mean wind */
+    const struct wf_wind_note *wind_notes; /* the same by parts; NULL: none */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };

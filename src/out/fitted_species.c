@@ -255,6 +255,18 @@ static const char *citation(const struct wf_fit_results *of, struct wf_arena *a)
     return out ? wf_text_for_xml(out, a) : NULL;
 }
 
+static void bark(struct sheet *t, const struct wf_bark_law *b)
+{
+    const struct wf_property share = {
+        .key = "share", .dimension = WF_DIM_NONE, .unit = "", .value = &b->share
+    };
+    if (!b->given) return;
+    map(t, "bark", YAML_BLOCK_MAPPING_STYLE);
+    numbers(t, "double_mm", b->coefficient, b->terms, "");
+    value(t, &share, NULL, 1);
+    map_end(t);
+}
+
 static void whole(struct sheet *t, const struct wf_species *sp, const char *key, const char *note,
                   const char *cited)
 {
@@ -269,6 +281,7 @@ static void whole(struct sheet *t, const struct wf_species *sp, const char *key,
     for (size_t i = 0; i < sp->sources; i++) words(t, sp->source[i].key, sp->source[i].text);
     words(t, t->source_key ? t->source_key : "", cited);
     map_end(t);
+    bark(t, &sp->bark);
     items(t, "levels", YAML_BLOCK_SEQUENCE_STYLE);
     for (size_t k = 0; k < sp->levels; k++) level(t, sp, k);
     items_end(t);

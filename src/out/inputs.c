@@ -249,6 +249,11 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "canopy_height", top, "m", "not used by this profile");
     wf_doc_quantity(d, o, "attenuation", attenuation, "1", "not used by this profile");
     wf_doc_quantity(d, o, "azimuth", s->azimuth, "rad", NULL);
+    const double limit[] = { s->corridor > 0 ? s->corridor : NAN, s->corridor > 0 ? s->corridor_towards : NAN,
+                             s->tip_angle > 0 ? s->tip_angle : NAN };
+    wf_doc_quantity(d, o, "corridor", limit[0], "m", "none is given");
+    wf_doc_quantity(d, o, "corridor_towards", limit[1], "rad", "none is given, or where the wind blows");
+    wf_doc_quantity(d, o, "tip_angle_limit", limit[2], "rad", "none is given");
     wf_doc_quantity(d, o, "temperature", s->temperature, "K", NULL);
     wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);
     wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);

@@ -60,7 +60,8 @@ static const struct {
               "median_m_s middle_gust_m_s middle_m_s searched_to_m_s "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
-              "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
+              "required cut least_reduction least_reduction_cut "
+      "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
               "frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },

@@ -50,19 +50,19 @@ json_t *wf_part_loss(struct wf_doc *d, const struct wf_analysis *a,
     return o;
 }
 
-static double stem_safety(const struct wf_at_speed *at, int criterion)
+static double own_safety(const struct wf_at_speed *at, int criterion)
 {
-    return at ? at->worst[criterion][WF_SCOPE_STEM].safety : (double)NAN;
+    return at ? at->worst[criterion][wf_criterion_scope(&wf_criteria[criterion])].safety : (double)NAN;
 }
 
-/* The criteria that lose the tree, and those that bound them, each with its result for the stem. */
+/* The criteria that lose the tree, those that bound them and those of its movement, each with its result. */
 static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a, const struct wf_verdict *v)
 {
     json_t *list = wf_doc_array(d);
     const struct wf_at_speed *at = wf_verdict_wind(a);
     for (int c = 0; c < WF_CRITERIA; c++) {
-        const struct wf_break *b = &a->breaks[c][WF_SCOPE_STEM];
-        if (!(wf_criteria[c].loses_tree || wf_criteria[c].whole) ||
+        const struct wf_break *b = &a->breaks[c][wf_criterion_scope(&wf_criteria[c])];
+        if (!(wf_criteria[c].loses_tree || !wf_criteria[c].section) ||
             b->critical.outcome == WF_CRITICAL_NO_STRENGTH)
             continue;
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
@@ -71,7 +71,7 @@ static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a, const str
         wf_doc_flag(d, o, "governs", b == v->loss);
         put_critical(d, o, a, b);
         wf_doc_quantity(d, o, "height", b->height, "m", "no place is known");
-        wf_doc_quantity(d, o, "safety", stem_safety(at, c), "1", "unloaded, or no equilibrium was found");
+        wf_doc_quantity(d, o, "safety", own_safety(at, c), "1", "unloaded, or no equilibrium was found");
         wf_doc_text(d, o, "source", wf_criteria[c].source);
         wf_doc_text(d, o, "validity", wf_criteria[c].validity);
     }
@@ -172,6 +172,24 @@ static json_t *reasons_part(struct wf_doc *d, unsigned because)
     return list;
 }
 
+static void put_scenarios(struct wf_doc *d, json_t *o, const struct wf_assessment *x)
+{
+    json_t *list = wf_doc_put(d, o, "scenarios", wf_doc_array(d));
+    for (size_t k = 0; k < x->scenarios; k++) {
+        const struct wf_assess_scenario *q = &x->scenario[k];
+        json_t *at = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, at, "name", q->name);
+        wf_doc_number(d, at, "cut", q->cut);
+        wf_doc_flag(d, at, "flagged", q->cut > WF_ASSESS_CUT_FLAGGED);
+        wf_doc_quantity(d, at, "breakage", q->breakage, "1", "not assessed");
+        wf_doc_quantity(d, at, "overturning", q->overturning, "1", "not assessed");
+        wf_doc_quantity(d, at, "critical_speed", q->critical, "m/s", "not found");
+        wf_doc_text(d, at, "word", wf_assess_rows[q->word].name);
+    }
+    wf_doc_number(d, o, "least_reduction", x->reduction);
+    wf_doc_number(d, o, "least_reduction_cut", isfinite(x->reduction) ? x->reduction_cut : (double)NAN);
+}
+
 json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
 {
     json_t *o = wf_doc_object(d);
@@ -199,5 +217,6 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
         wf_doc_quantity(d, at, "breakage", x->direction[k].breakage, "1", "not assessed");
         wf_doc_quantity(d, at, "overturning", x->direction[k].overturning, "1", "not assessed");
     }
+    put_scenarios(d, o, x);
     return o;
 }

@@ -110,6 +110,32 @@ static enum wf_status note_part(struct trial *k, size_t foot, struct wf_firm *ou
     return WF_OK;
 }
 
+/* Stiffen the light parts above row `foot` that carry less than the load factor, each with its base held: a
+ * part that just stands by itself can bring down what carries it. Returned: *found, whether one was. */
+static enum wf_status stiffen_above(struct trial *k, size_t foot, bool *in, struct wf_firm *out, bool *found,
+                                    struct wf_err *e)
+{
+    const struct wf_tree *t = k->tree;
+    enum wf_status s = WF_OK;
+    for (size_t i = 0; i < t->n; i++)
+        for (int32_t m = k->beam.mesh.first[i]; m <= k->beam.mesh.last[i]; m++)
+            k->held[m] = k->mass[i] > k->limit;
+    k->beam.held = k->held;
+    (void)unstable(k, k->load_factor);
+    k->beam.held = NULL;
+    memset(in, 0, t->n * sizeof *in);
+    for (size_t m = 0; m < k->beam.mesh.n; m++)
+        if (k->weak[m]) in[foot_of(k, (size_t)k->beam.mesh.part[m].row)] = true;
+    for (size_t i = t->n; i-- > 0 && !s;) {
+        int32_t below = (int32_t)i;
+        while (below >= 0 && below != (int32_t)foot) below = t->parent[(size_t)below];
+        if (!in[i] || below < 0 || k->mass[i] > k->limit) continue;
+        *found = true;
+        s = note_part(k, i, out, e);
+    }
+    return s;
+}
+
 /* Stiffen the parts that are weak now, tips first. Returned: *found, whether one was. */
 static enum wf_status stiffen_weak(struct trial *k, const bool *row_weak, bool *above, struct wf_firm *out,
                                    bool *found, struct wf_err *e)
@@ -122,9 +148,12 @@ static enum wf_status stiffen_weak(struct trial *k, const bool *row_weak, bool *
         if (above[i] && t->parent[i] >= 0) above[t->parent[i]] = true;
         if (!row_weak[i] || above[i]) continue;
         if (k->mass[i] > k->limit) {
-            out->gave_up = true;
-            out->refused = (int32_t)i;
-            return WF_OK;
+            bool helped = false;
+            s = stiffen_above(k, i, above, out, &helped, e);
+            out->gave_up = !helped;
+            out->refused = helped ? -1 : (int32_t)i;
+            *found = true;
+            return s;
         }
         if (t->parent[i] >= 0) above[t->parent[i]] = true;
         *found = true;

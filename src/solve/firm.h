@@ -30,7 +30,10 @@ struct wf_firm {
  * beam model); `share`, parts below this share of the tree's mass are stiffened; `load_factor` up to which.
  * Returned: *out; youngs and shear of the tree are new columns in `a` where parts were stiffened. Errors:
  * WF_ENOMEM, those of the beam's mesh. Method: negative pivots of the tangent in the given shape; the load
- * factor of a part, its base held, by bisection of the weight. */
+ * factor of a part, its base held, by bisection of the weight. Where a part that is too heavy would not
+ * stand, the light ones above it that carry less than the load factor are stiffened first: what stands with
+ * soft wood, whose light parts are stiffened because they fall, then also stands with stiffer wood, whose
+ * light parts just do not. */
 enum wf_status wf_firm(struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
                        double share, double load_factor, struct wf_arena *a, struct wf_firm *out,
                        struct wf_err *e);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/solve.h"
 #include "base/num.h"
+#include "base/vec3.h"
 #include <math.h>
 
 enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_arena *a, struct wf_err *e)
@@ -12,6 +13,21 @@ enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_aren
         if (!(*column[i] = WF_TAKE(a, 3 * n, double)))
             return wf_fail(e, WF_ENOMEM, "not enough memory for the response of %zu segments", n);
     return WF_OK;
+}
+
+double wf_response_slope(const struct wf_tree *t, const struct wf_response *r, size_t row)
+{
+    const double *turn = r->turn + 3 * row, *now = r->tangent1 + 3 * row;
+    double before[3], across[3], matrix[9];
+    if (r->small_deflection) {
+        const double chord[3] = { t->x1[row] - t->x0[row], t->y1[row] - t->y0[row], t->z1[row] - t->z0[row] };
+        wf_cross(chord, turn, across);
+        return sqrt(wf_dot(across, across) / wf_dot(chord, chord));
+    }
+    rotation_matrix(turn, matrix);
+    m3_apply_transposed(matrix, now, before);
+    wf_cross(before, now, across);
+    return atan2(sqrt(wf_dot(across, across)), wf_dot(before, now));
 }
 
 void wf_solve_options_default(struct wf_solve_options *o)

@@ -34,6 +34,9 @@ struct wf_response {
 /* Allocate the arrays of a response of n rows, zeroed, in the arena. Errors: WF_ENOMEM. */
 enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_arena *a, struct wf_err *e);
 
+/* Turn of the axis at the end of a row from its unloaded direction, without twist [rad]. */
+double wf_response_slope(const struct wf_tree *t, const struct wf_response *r, size_t row);
+
 struct wf_solve_options {
     double tolerance;      /* relative accuracy of a converged solution, default 1e-9 */
     double mesh_tolerance; /* relative error accepted from the mesh, default 1e-6; 0 = one element per row */

@@ -76,6 +76,13 @@ static enum wf_status anchor(struct wf_analysis *an, struct wf_arena *a, struct 
     return s;
 }
 
+void wf_analysis_room(struct wf_analysis *an)
+{
+    const struct wf_scenario *s = &an->scenario;
+    double towards = isnan(s->corridor_towards) ? s->azimuth : s->corridor_towards;
+    an->tree.room = (struct wf_room){ s->corridor, { cos(towards), sin(towards) }, s->tip_angle };
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
@@ -85,6 +92,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s) s = anchor(an, a, e);
+    wf_analysis_room(an);
     an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
     if (!s) s = wf_rest_set_up(an, o, a, d, e);
     if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */

@@ -176,7 +176,8 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
                                    .wet_low = at->worst[WF_OVERTURNING_WETTEST][WF_SCOPE_STEM].safety,
                                    .wet_high = at->worst[WF_OVERTURNING_WET][WF_SCOPE_STEM].safety,
                                    .low = NAN,
-                                   .high = NAN };
+                                   .high = NAN,
+                                   .reduction = NAN };
     if (an->interval) {
         const struct wf_interval_at *i = &an->interval->at[an->interval->winds - 1];
         out->low = i->wanted_low, out->high = i->wanted_high;

@@ -48,6 +48,16 @@ struct wf_assess_direction {
     double breakage, overturning; /* safeties [-] */
 };
 
+/* The tree with something changed, in the same wind unless that is changed. */
+struct wf_assess_scenario {
+    const char *name;
+    double cut;                             /* share of the crown's frontal area that is gone [-] */
+    double breakage, overturning, critical; /* safeties [-], NAN: not assessed; [m/s], NAN: not found */
+    enum wf_assess_word word;               /* without an interval */
+};
+/* A crown cut above this share is flagged. */
+#define WF_ASSESS_CUT_FLAGGED 0.3
+
 enum { WF_ASSESS_DIRECTIONS = 16 };
 struct wf_assessment {
     double required;                /* safety [-] */
@@ -62,6 +72,11 @@ struct wf_assessment {
     const char *years_unknown;    /* why */
     size_t directions;            /* 0: the same from all */
     const struct wf_assess_direction *direction;
+    size_t scenarios;
+    const struct wf_assess_scenario *scenario;
+    double reduction;     /* least share of the crown's height and width off that makes it safe enough [-];
+                             INFINITY: none up to 60 %; NAN: not searched */
+    double reduction_cut; /* share of its frontal area that is gone then [-] */
     enum wf_assess_word word;
     unsigned because; /* of WF_ASSESS_NO_OVERTURNING and so on */
 };

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "solve/beam_many.h"
+#include "study/analysis.h"
 #include "study/node.h"
 #include "study/sway.h"
 #include "study/verdict.h"
@@ -41,6 +42,7 @@ static void turn_wind(const struct work *w, size_t at, struct wf_analysis *an)
     an->wind.direction[0] = cos(azimuth), an->wind.direction[1] = sin(azimuth);
     an->loads.wind = &an->wind;
     an->peak = w->peak[at];
+    wf_analysis_room(an);
 }
 
 /* The sways of the tree along the wind of one direction. */

@@ -145,7 +145,7 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
             "%s: the tree fails at a given wind speed above %.6g m/s, the highest speed to be searched; "
             "the search went on to that wind speed",
             who, an->search.speed_max);
-    if (c->outcome == WF_CRITICAL_UNSEARCHED)
+    if (c->outcome == WF_CRITICAL_UNSEARCHED && !an->search.bare)
         wf_diag_warn(
             d, "search-ended",
             "%s: the search for the critical wind speed ended after %.4g s of processor time: it stands "
@@ -275,6 +275,23 @@ static void check_assumed(const struct wf_analysis *an, struct wf_diag *d)
                      an->species->name, list);
 }
 
+/* A crown that is not drawn reaches further than the stem. */
+static void check_corridor(const struct wf_analysis *an, struct wf_diag *d)
+{
+    bool crown = false;
+    if (!(an->tree.room.corridor > 0)) return;
+    for (size_t i = 0; i < an->tree.n; i++) {
+        if (an->tree.level[i] > 0) return;
+        crown = crown || an->tree.sail0[i] > 0 || an->tree.sail1[i] > 0;
+    }
+    if (crown)
+        wf_diag_warn(d, "corridor-crown",
+                     "%s: the crown of a stem without branches is not drawn: its reach is not counted, and "
+                     "it comes into "
+                     "the corridor in weaker wind than the stem does",
+                     an->species->name);
+}
+
 void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_equilibrium(an, d);
@@ -283,6 +300,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_ground(an, d);
     limits_wind(an, d);
     check_critical(an, d);
+    check_corridor(an, d);
     check_unverified(an, d);
     check_as_printed(an, d);
     check_assumed(an, d);

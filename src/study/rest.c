@@ -90,24 +90,41 @@ void wf_rest_warn_of_parts(const char *who, const struct wf_tree *t, const struc
     }
     wf_diag_warn(d, "stiffened",
                  "%s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
-                 "wood, and %s stiffened to carry %g times %s own weight (a rule): %s%s",
+                 "wood, alone or with what carries it, and %s stiffened to carry %g times %s own weight (a "
+                 "rule): %s%s",
                  who, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL, f->n == 1 ? "was" : "were",
                  WF_REST_FIRM, f->n == 1 ? "its" : "their", l.text, f->n > LISTED ? "; ..." : "");
+}
+
+/* The cavities of a tree in words, which may be why it does not stand; "" where there are none. */
+static const char *hollowed(const struct wf_tree *t, char *text, size_t size)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < t->n; i++)
+        if (t->section && t->section->hollow && t->section->hollow[i])
+            low = fmin(low, t->z0[i] - t->z0[0]), high = fmax(high, t->z1[i] - t->z0[0]);
+    if (high > low)
+        (void)snprintf(text, size, " or cavity (between %.3g and %.3g m)", low, high);
+    else
+        *text = '\0';
+    return text;
 }
 
 enum wf_status wf_rest_refuse(const char *who, const char *else_say, const struct wf_tree *t,
                               const struct wf_firm *f, struct wf_err *e)
 {
+    char cavity[64];
+    (void)hollowed(t, cavity, sizeof cavity);
     if (f->refused < 0)
-        return wf_fail(e, WF_EUNSTABLE, "%s: does not stand with this wood or root%s", who,
+        return wf_fail(e, WF_EUNSTABLE, "%s: does not stand with this wood or root%s%s", who, cavity,
                        f->root ? ": the root plate is too soft for its weight" : "");
     return wf_fail(
         e, WF_EUNSTABLE,
-        "%s: does not stand with this wood or root: from segment %lld (%s, %.3g m up) on, the part "
-        "drawn would fall over under its own weight. Check the units of the radii, the wood and the "
+        "%s: does not stand with this wood or root%s: from segment %lld (%s, %.3g m up) on, the part "
+        "drawn would fall over under its own weight. Check the units of the radii, the wood%s and the "
         "leaf area; %s",
-        who, (long long)t->id[f->refused], t->level[f->refused] ? "branch" : "stem",
-        t->z0[f->refused] - t->z0[0], else_say);
+        who, cavity, (long long)t->id[f->refused], t->level[f->refused] ? "branch" : "stem",
+        t->z0[f->refused] - t->z0[0], *cavity ? ", the wall that is left" : "", else_say);
 }
 
 /* Stiffen what would not stand. */

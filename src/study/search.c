@@ -619,6 +619,9 @@ static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_
         if (!s && reached(&b->critical))
             lowest = fmin(lowest, b->critical.outcome == WF_CRITICAL_FOUND ? b->critical.speed : 0.0);
     }
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (!wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES))
+            out[c][WF_SCOPE_TREE] = out[c][WF_SCOPE_STEM];
     return s;
 }
 

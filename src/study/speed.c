@@ -113,21 +113,6 @@ static void integrate(const struct wf_tree *t, const struct wf_loads *l, const s
     }
 }
 
-/* Rotation of the axis at the row's end, without twist [rad]. */
-static double slope_at_end(const struct curve *unloaded, const struct wf_response *r, size_t i)
-{
-    const double *turn = r->turn + 3 * i, *now = r->tangent1 + 3 * i;
-    double before[3], across[3], matrix[9];
-    if (r->small_deflection) {
-        wf_cross(unloaded->t1, turn, across);
-        return norm(across) / unloaded->length;
-    }
-    rotation_matrix(turn, matrix);
-    m3_apply_transposed(matrix, now, before);
-    wf_cross(before, now, across);
-    return atan2(norm(across), wf_dot(before, now));
-}
-
 /* Given: tree, the loads passed to the solver, its result, direction the wind blows towards (unit vector),
  * crown drag coefficient by which the sail columns were multiplied. Returned: columns of n in *out and the
  * totals. Method: horizontal forces of the wind are the solver's own loads (wf_response.load), so that the
@@ -163,7 +148,7 @@ static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_load
         out->lift[i] = norm(across);
         out->projected_area[i] = row.area;
         out->deflection[i] = norm(r->end + 3 * i);
-        out->slope[i] = slope_at_end(&unloaded, r, i);
+        out->slope[i] = wf_response_slope(t, r, i);
         for (int k = 0; k < 3; k++) totals->air[k] += row.air[k];
         totals->weight += norm(row.weight) + (t->mass1 ? t->mass1[i] * l->gravity * l->weight_scale : 0.0);
     }
@@ -171,18 +156,6 @@ static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_load
 }
 
 /* ---- One wind speed: wind -> load -> solve -> fail -> figures ---- */
-
-size_t wf_tip_row(const struct wf_tree *t)
-{
-    size_t tip = 0;
-    double highest = -INFINITY;
-    for (size_t i = 0; i < t->n; i++)
-        if (t->level[i] == 0 && t->z1[i] > highest) {
-            highest = t->z1[i];
-            tip = i;
-        }
-    return tip;
-}
 
 static void totals_fill(const struct wf_analysis *an, const struct totals *all, double tip_deflection,
                         double tip_angle, struct wf_at_speed *out)
@@ -275,7 +248,6 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     const struct wf_tree *t = &an->tree;
     const struct wf_response *r = &out->response;
     struct totals totals = { 0 };
-    struct curve unloaded;
     size_t tip = wf_tip_row(t);
     if (l->line) return fill_at_speed(an, l, like, a, out, e);
     enum wf_status s = fill_stresses(an, like, a, out, e);
@@ -286,8 +258,7 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
         totals.air[2] += weight;
         totals.weight += weight + (t->mass1 ? t->mass1[i] * l->gravity * l->weight_scale : 0.0);
     }
-    curve_unloaded(t, tip, &unloaded);
-    totals_fill(an, &totals, norm(r->end + 3 * tip), slope_at_end(&unloaded, r, tip), out);
+    totals_fill(an, &totals, norm(r->end + 3 * tip), wf_response_slope(t, r, tip), out);
     return WF_OK;
 }
 

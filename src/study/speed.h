@@ -170,8 +170,6 @@ struct wf_speed_answers {
 enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *track,
                               double speed, struct wf_track *other, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e);
-/* The row that ends highest on level 0. */
-size_t wf_tip_row(const struct wf_tree *t);
 
 #ifdef __cplusplus
 }

@@ -14,7 +14,8 @@ struct all {
     int word;
     double plain;
     double *number, *same;
-    size_t numbers, sames, parts, pairs;
+    size_t numbers, sames, parts, pairs, words;
+    const char **words_of;
     struct part part, *list;
     struct wf_yaml_pair *pair;
     bool given;
@@ -45,6 +46,7 @@ static const struct wf_yaml_row all_rows[] = {
     WF_KEY_NUMBERS("numbers", number, numbers, 0, 1, "numbers", .example = "[1]"),
     WF_KEY_NUMBERS("sames", same, sames, -10, 10, "as many", .same_length_as = "numbers", .example = "[1]"),
     WF_KEY("pairs", WF_YAML_TEXTS, pair, "pairs", .count = offsetof(T, pairs)),
+    WF_KEY("words", WF_YAML_WORDS, words_of, "words", .count = offsetof(T, words), .example = "[a, b]"),
     WF_KEY_LIST("list", list, parts, part_table, "parts", .example = "[]"),
     WF_KEY_PART("part", part_table, "a part", .offset = offsetof(T, part), .given = 1 + offsetof(T, given)),
     { .key = NULL },
@@ -90,6 +92,7 @@ static enum wf_status reading(struct fuzz *f)
     }
     must(!a.sames || a.sames == a.numbers, "lists are equally long");
     for (size_t i = 0; i < a.pairs; i++) must(a.pair[i].key && a.pair[i].text, "a pair has key and text");
+    for (size_t i = 0; i < a.words; i++) must(a.words_of[i] && a.words_of[i][0], "a text is not empty");
     for (size_t i = 0; i < a.parts; i++) check_part(&a.list[i]);
     if (a.given) check_part(&a.part);
     return WF_OK;
