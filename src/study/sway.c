@@ -5,6 +5,8 @@
 #include "base/num.h"
 #include "data/section.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
+#include "load/winter.h"
 #include "solve/beam.h"
 #include "solve/modes.h"
 #include "solve/track.h"
@@ -237,6 +239,22 @@ static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, d
             name);
 }
 
+/* A stand whose crowns are much wider than the ground that each tree has: one of the two is wrong, and the
+ * wind's momentum is shared by too many trees. */
+static void note_stand(const struct wf_analysis *an, const struct wf_peak *p, struct wf_diag *d)
+{
+    const double most = 2.0; /* rule of ours */
+    double seen = wf_silhouette_size(an->model, an->tallness).breadth, spacing = p->request.stand.spacing;
+    double width = sqrt(4.0 / WF_PI * wf_crown_projection(&an->tree, isnan(seen) ? 0.0 : seen));
+    if (width > most * spacing)
+        wf_diag_warn(
+            d, "stand-crowded",
+            "%s: the crown is %.3g m wide and the trees of the stand are %.3g m apart: the wind's load "
+            "on a tree, which follows from the ground that it has, is too low unless the spacing is "
+            "right",
+            an->species->name, width, spacing);
+}
+
 /* All of a peak but its sways. */
 static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct wf_peak **out,
                             struct wf_err *e)
@@ -282,6 +300,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     if (p->method->sways) s = find_sways(an, p, o, at, k, e);
     an->peak = p;
     if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
+    if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
     return s;
 }
 
