@@ -105,9 +105,8 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
 
 static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
 
-/* Add the sway at a speed, from the one before. Returned: whether the tree has a state in that mean wind. */
-static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double before,
-                     double speed)
+/* Add the sway at a speed. Returned: whether the tree has a state in that mean wind. */
+static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
@@ -115,7 +114,7 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
     struct wf_err why = { 0 };
     double *shape = WF_TAKE(&scratch, 3 * an->tree.n, double);
     enum wf_status s =
-        shape ? wf_speed_track(an, WF_PART_MEAN, track, before, speed, NULL, &scratch, &r, &why) : WF_ENOMEM;
+        shape ? wf_speed_track(an, WF_PART_MEAN, track, speed, NULL, &scratch, &r, &why) : WF_ENOMEM;
     bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, &m, shape, &why);
     if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
     if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m, shape);
@@ -186,7 +185,7 @@ static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
-        if (!add_sway(an, p, track, i ? at[i - 1] : (double)NAN, at[i])) break;
+        if (!add_sway(an, p, track, at[i])) break;
     wf_track_close(track);
     wf_peak_sways_take(p);
     return WF_OK;
@@ -440,7 +439,7 @@ static enum wf_status find_state(const struct wf_analysis *an, const struct wf_s
     if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     enum wf_status s = wf_track_open(&an->tree, o, NULL, &track, e);
     if (s) return s;
-    s = wf_speed_track(an, WF_PART_MEAN, track, NAN, speed, NULL, a, &at, e);
+    s = wf_speed_track(an, WF_PART_MEAN, track, speed, NULL, a, &at, e);
     if (!s && at.at.status) s = wf_fail(e, at.at.status, "%s", wf_status_text(at.at.status));
     if (!s) s = wf_track_sway(track, an->wind.direction, band, &m, shape, e);
     wf_track_close(track);
