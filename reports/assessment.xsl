@@ -106,17 +106,6 @@
 
 <xsl:template name="assessment">
   <xsl:variable name="a" select="assessment"/>
-  <p>
-    <b><xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.word.', $a/word)"/></xsl:call-template></b>
-    <xsl:for-each select="$a/because/item">
-      <xsl:value-of select="$gap"/>
-      <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.because.', reason)"/></xsl:call-template>
-    </xsl:for-each>
-    <xsl:value-of select="$gap"/><xsl:call-template name="as-years"/>
-    <xsl:value-of select="$gap"/><xsl:call-template name="say">
-      <xsl:with-param name="id">as.missing</xsl:with-param>
-    </xsl:call-template>
-  </p>
   <table class="data">
     <xsl:call-template name="caption">
       <xsl:with-param name="id">as.t.safety</xsl:with-param>
@@ -126,6 +115,7 @@
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
       <xsl:with-param name="of" select="'as.c.against;as.c.now:;as.c.sound:;as.c.required:;as.c.low:;as.c.high:'"/>
+      <xsl:with-param name="units">no</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:call-template name="as-row">

@@ -45,6 +45,19 @@
     <xsl:with-param name="x" select="self::*[not($known)]/critical[within_limits = 'true']/speed/value |
       verdict[$known and within_limits = 'true']/critical_speed/value"/>
   </xsl:call-template>
+  <!-- the crown as it was measured: an ellipse, where its area is that of one -->
+  <xsl:variable name="m" select="model[outline_breadth/value != '']"/>
+  <xsl:variable name="share" select="$m/frontal_area/value div ($m/outline_breadth/value * $m/outline_height/value)"/>
+  <xsl:if test="$share &gt; 0.78 and $share &lt; 0.79">
+    <xsl:for-each select="$m/outline_breadth | $m/outline_centre | $m/outline_height">
+      <xsl:call-template name="number-row">
+        <xsl:with-param name="key" select="concat('CROWN_', translate(substring-after(name(), '_'), 'abcdefghijklmnopqrstuvwxyz',
+            'ABCDEFGHIJKLMNOPQRSTUVWXYZ'))"/>
+        <xsl:with-param name="index" select="$i"/>
+        <xsl:with-param name="x" select="value"/>
+      </xsl:call-template>
+    </xsl:for-each>
+  </xsl:if>
   <!-- results that do not say which criterion governs have no column of the tree's safety in their tables -->
   <xsl:call-template name="number-row">
     <xsl:with-param name="key">LOSS_KNOWN</xsl:with-param><xsl:with-param name="index" select="$i"/>
@@ -98,7 +111,7 @@
     </xsl:call-template>
     <xsl:call-template name="number-row">
       <xsl:with-param name="key">REFERENCE</xsl:with-param>
-      <xsl:with-param name="x" select="$trees[1]/scenario/reference_height/value"/>
+      <xsl:with-param name="x" select="($trees[1]/scenario/wind_height | $trees[1]/scenario[not(wind_height)]/reference_height)/value"/>
     </xsl:call-template>
     <xsl:call-template name="text-row">
       <xsl:with-param name="key">STRONG</xsl:with-param>

@@ -5,6 +5,7 @@
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform" xmlns:svg="http://www.w3.org/2000/svg"
                 exclude-result-prefixes="svg">
 <xsl:import href="page.xsl"/>
+<xsl:include href="front.xsl"/>
 <xsl:include href="verdict.xsl"/>
 <xsl:include href="assessment.xsl"/>
 <xsl:include href="summary.xsl"/>
@@ -18,7 +19,7 @@
 
 <xsl:variable name="reference">
   <xsl:call-template name="given">
-    <xsl:with-param name="x" select="$trees[1]/scenario/reference_height/value"/>
+    <xsl:with-param name="x" select="($trees[1]/scenario/wind_height | $trees[1]/scenario[not(wind_height)]/reference_height)/value"/>
   </xsl:call-template>
 </xsl:variable>
 
@@ -84,72 +85,87 @@
 <xsl:template name="title-block">
   <header>
     <h1><xsl:call-template name="title"/></h1>
-    <p class="sub"><xsl:call-template name="say"><xsl:with-param name="id">sub</xsl:with-param></xsl:call-template></p>
-    <table class="block">
-      <xsl:call-template name="block-row">
-        <xsl:with-param name="id">tb.trees</xsl:with-param>
-        <xsl:with-param name="text">
-          <xsl:for-each select="$trees">
-            <xsl:if test="position() &gt; 1"><br/></xsl:if>
-            <xsl:call-template name="name"/>
-            <xsl:if test="species/latin != ''"> – <i><xsl:value-of select="species/latin"/></i></xsl:if>
-          </xsl:for-each>
-        </xsl:with-param>
-      </xsl:call-template>
-      <xsl:call-template name="block-row">
-        <xsl:with-param name="id">tb.model</xsl:with-param>
-        <xsl:with-param name="text">
-          <xsl:for-each select="$trees[not(model/key = preceding-sibling::item/model/key)]">
-            <xsl:if test="position() &gt; 1"><br/></xsl:if><xsl:value-of select="model/name"/>
-          </xsl:for-each>
-        </xsl:with-param>
-      </xsl:call-template>
-      <xsl:call-template name="block-row">
-        <xsl:with-param name="id">tb.wind</xsl:with-param>
-        <xsl:with-param name="text">
-          <xsl:call-template name="say">
-            <xsl:with-param name="id">tb.wind.text</xsl:with-param>
-            <xsl:with-param name="a"><xsl:call-template name="winds-text"/></xsl:with-param>
-            <xsl:with-param name="b" select="$reference"/>
-          </xsl:call-template>
-          <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="wind-notes"/></xsl:for-each>
-          <xsl:if test="$trees[1]/scenario/gust_over_mean/value">
-            <br/>
-            <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="site-line"/></xsl:for-each>
-          </xsl:if>
-          <xsl:if test="$trees[1]/scenario/speed_up/value != 1">
-            <br/>
-            <xsl:call-template name="say">
-              <xsl:with-param name="id">tb.exposure</xsl:with-param>
-              <xsl:with-param name="a">
-                <xsl:call-template name="number">
-                  <xsl:with-param name="x" select="$trees[1]/scenario/speed_up/value"/>
-                </xsl:call-template>
-              </xsl:with-param>
-            </xsl:call-template>
-          </xsl:if>
-        </xsl:with-param>
-      </xsl:call-template>
-      <xsl:call-template name="block-row">
-        <xsl:with-param name="id">tb.method</xsl:with-param>
-        <xsl:with-param name="text">
-          <xsl:for-each select="$trees[1]/method/solver"><xsl:call-template name="solver-title"/></xsl:for-each>
-        </xsl:with-param>
-      </xsl:call-template>
-      <xsl:call-template name="block-row">
-        <xsl:with-param name="id">tb.date</xsl:with-param>
-        <xsl:with-param name="text">
-        <xsl:value-of select="translate($r/provenance/date, 'TZ', '  ')"/>UTC</xsl:with-param>
-      </xsl:call-template>
-      <xsl:call-template name="block-row">
-        <xsl:with-param name="id">tb.program</xsl:with-param>
-        <xsl:with-param name="text">
-          <span class="program"><xsl:value-of select="concat($r/provenance/program, ' ', $r/provenance/version)"/></span>
-        </xsl:with-param>
-      </xsl:call-template>
-    </table>
+    <p class="sub">
+      <xsl:for-each select="$trees[not(model/key = preceding-sibling::item/model/key)]">
+        <xsl:if test="position() &gt; 1">
+          <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template></xsl:if>
+        <xsl:value-of select="model/name"/>
+      </xsl:for-each>
+      <xsl:if test="count($trees) = 1 and $trees/species/latin != ''"> – <i>
+        <xsl:value-of select="$trees/species/latin"/></i></xsl:if>
+      <xsl:text> – </xsl:text><xsl:value-of select="substring-before($r/provenance/date, 'T')"/>
+      <xsl:text> – </xsl:text>
+      <span class="program"><xsl:value-of select="concat($r/provenance/program, ' ', $r/provenance/version)"/></span>
+    </p>
     <xsl:call-template name="status"/>
   </header>
+</xsl:template>
+
+<!-- What was computed: trees, wind, method, date. -->
+<xsl:template name="run-block">
+  <table class="block">
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.trees</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:for-each select="$trees">
+          <xsl:if test="position() &gt; 1"><br/></xsl:if>
+          <xsl:call-template name="name"/>
+          <xsl:if test="species/latin != ''"> – <i><xsl:value-of select="species/latin"/></i></xsl:if>
+        </xsl:for-each>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.model</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:for-each select="$trees[not(model/key = preceding-sibling::item/model/key)]">
+          <xsl:if test="position() &gt; 1"><br/></xsl:if><xsl:value-of select="model/name"/>
+        </xsl:for-each>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.wind</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">tb.wind.text</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="winds-text"/></xsl:with-param>
+          <xsl:with-param name="b" select="$reference"/>
+        </xsl:call-template>
+        <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="wind-notes"/></xsl:for-each>
+        <xsl:if test="$trees[1]/scenario/gust_over_mean/value">
+          <br/>
+          <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="site-line"/></xsl:for-each>
+        </xsl:if>
+        <xsl:if test="$trees[1]/scenario/speed_up/value != 1">
+          <br/>
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">tb.exposure</xsl:with-param>
+            <xsl:with-param name="a">
+              <xsl:call-template name="number">
+                <xsl:with-param name="x" select="$trees[1]/scenario/speed_up/value"/>
+              </xsl:call-template>
+            </xsl:with-param>
+          </xsl:call-template>
+        </xsl:if>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.method</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:for-each select="$trees[1]/method/solver"><xsl:call-template name="solver-title"/></xsl:for-each>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.date</xsl:with-param>
+      <xsl:with-param name="text">
+      <xsl:value-of select="translate($r/provenance/date, 'TZ', '  ')"/>UTC</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.program</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:value-of select="concat($r/provenance/program, ' ', $r/provenance/version)"/>
+      </xsl:with-param>
+    </xsl:call-template>
+  </table>
 </xsl:template>
 
 <xsl:template name="drawn-winds">
@@ -187,7 +203,15 @@
             </xsl:choose>
           </xsl:if>
         </xsl:with-param>
-        <xsl:with-param name="a"><xsl:call-template name="drawn-winds"/></xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:choose>
+            <xsl:when test="@name = 'front'">
+              <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/winds/item[status = 'ok' and
+                contains($shown, concat(' ', count(preceding-sibling::item) + 1, ' '))][last()]/speed/value"/></xsl:call-template>
+            </xsl:when>
+            <xsl:otherwise><xsl:call-template name="drawn-winds"/></xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
       </xsl:call-template>
       <xsl:if test="@name = 'safety' and $trees/verdict[within_limits = 'true' and criteria/item[governs = 'true']]/outcome = 'found'">
         <xsl:value-of select="$gap"/>
@@ -214,7 +238,8 @@
 <xsl:template name="intervals">
   <h3><xsl:call-template name="say"><xsl:with-param name="id">h.interval</xsl:with-param></xsl:call-template></h3>
   <xsl:for-each select="$trees/interval">
-    <xsl:variable name="whose"><xsl:call-template name="name"><xsl:with-param name="tree" select=".."/></xsl:call-template></xsl:variable>
+    <xsl:variable name="whose">
+      <xsl:call-template name="name"><xsl:with-param name="tree" select=".."/></xsl:call-template></xsl:variable>
     <p><xsl:call-template name="iv-words"><xsl:with-param name="name" select="$whose"/></xsl:call-template></p>
     <xsl:call-template name="iv-safety"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
     <xsl:call-template name="iv-tornado"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
@@ -240,7 +265,8 @@
             <xsl:call-template name="n"><xsl:with-param name="x" select="frequency"/></xsl:call-template>
             <td>
               <xsl:call-template name="term">
-                <xsl:with-param name="id" select="concat('md.d.', direction)"/><xsl:with-param name="otherwise" select="direction"/>
+                <xsl:with-param name="id" select="concat('md.d.', direction)"/>
+                  <xsl:with-param name="otherwise" select="direction"/>
               </xsl:call-template>
             </td>
             <xsl:call-template name="cell">
@@ -276,7 +302,8 @@
         <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/snow/value"/></xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="d">
-        <xsl:call-template name="given"><xsl:with-param name="x" select="1000 * $trees[1]/scenario/ice/value"/></xsl:call-template>
+        <xsl:call-template name="given">
+          <xsl:with-param name="x" select="1000 * $trees[1]/scenario/ice/value"/></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
@@ -292,17 +319,20 @@
           <tr>
             <td><xsl:if test="$k = 1"><xsl:value-of select="$name"/></xsl:if></td>
             <td>
-                <xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $of, '.', $k)"/></xsl:call-template>
+                <xsl:call-template name="say">
+                  <xsl:with-param name="id" select="concat('wt.state.', $of, '.', $k)"/></xsl:call-template>
               </td>
             <xsl:call-template name="n"><xsl:with-param name="x" select="($k = 2) * $w/mass_kg"/></xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0000</xsl:with-param>
             </xsl:call-template>
             <xsl:call-template name="cell">
-              <xsl:with-param name="x" select="$w/drags_N/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+              <xsl:with-param name="x" select="$w/drags_N/item[$k] div 1000"/>
+                <xsl:with-param name="pattern">0.000</xsl:with-param>
             </xsl:call-template>
             <xsl:call-template name="cell">
-              <xsl:with-param name="x" select="$w/moments_N_m/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+              <xsl:with-param name="x" select="$w/moments_N_m/item[$k] div 1000"/>
+                <xsl:with-param name="pattern">0.000</xsl:with-param>
             </xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="$w/deflections_m/item[$k]"/><xsl:with-param name="pattern">0.000</xsl:with-param>
@@ -328,12 +358,14 @@
     </head>
     <body lang="{$lang}">
       <xsl:call-template name="title-block"/>
-      <section>
+      <xsl:call-template name="front"/>
+      <section class="annex">
         <xsl:call-template name="heading">
           <xsl:with-param name="n" select="1"/><xsl:with-param name="id">h.summary</xsl:with-param>
         </xsl:call-template>
-        <xsl:for-each select="$trees[assessment]"><xsl:call-template name="assessment"/></xsl:for-each>
+        <xsl:call-template name="run-block"/>
         <xsl:call-template name="summary"/>
+        <xsl:for-each select="$trees[assessment]"><xsl:call-template name="assessment"/></xsl:for-each>
       </section>
       <section>
         <xsl:call-template name="heading">
@@ -360,7 +392,7 @@
         <xsl:call-template name="heading">
           <xsl:with-param name="n" select="3"/><xsl:with-param name="id">h.figures</xsl:with-param>
         </xsl:call-template>
-        <xsl:apply-templates select="figures/figure"/>
+        <xsl:apply-templates select="figures/figure[@name != $in-front]"/>
       </section>
       <section>
         <xsl:call-template name="heading">

@@ -202,6 +202,21 @@
       </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
+  <xsl:for-each select="criteria/item[criterion = 'elastic-limit' and scope = 'stem']/winds/item[speed/value = $last/speed/value and
+    safety/value != '']">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.elastic</xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="fixed">
+          <xsl:with-param name="x" select="100 div safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
   <xsl:variable name="by" select="verdict/safety_criterion"/>
   <xsl:for-each select="criteria/item[criterion = $by and $by != 'breakage' and scope = 'stem' and wants != '']/winds/item[speed/value =
     $last/speed/value and safety/value != '']">
@@ -237,7 +252,10 @@
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
-  <xsl:value-of select="$gap"/>
+</xsl:template>
+
+<!-- At which wind the tree is lost, or why that has no answer. -->
+<xsl:template name="loss">
   <xsl:choose>
     <xsl:when test="critical_stem/within_limits = 'false' or verdict/within_limits = 'false'">
       <xsl:call-template name="say">
@@ -475,49 +493,48 @@
   </xsl:for-each>
 </xsl:template>
 
-<xsl:template name="summary">
+<!-- What to be careful about: how many values are not measured, and crowns beyond their evidence. -->
+<xsl:template name="care">
   <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
   <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
   <xsl:variable name="untested" select="$trees[critical_stem/within_limits = 'true' and
     not(method/solver/as_printed = 'true') and (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
     species/streamlining/speed_high/value]"/>
-  <div class="summary">
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">
+      <xsl:choose><xsl:when test="$doubtful">sum.care</xsl:when><xsl:otherwise>sum.care.sure</xsl:otherwise></xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="a" select="count($doubtful)"/><xsl:with-param name="b" select="count($values)"/>
+    <xsl:with-param name="c" select="4"/>
+  </xsl:call-template>
+  <xsl:if test="$untested">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.care.crown</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="names">
+          <xsl:with-param name="of" select="$untested"/><xsl:with-param name="last">list.last</xsl:with-param>
+        </xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
+<!-- What a scan may lack. -->
+<xsl:template name="care-scan">
+  <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart']">
     <p class="care">
-      <xsl:call-template name="say">
-        <xsl:with-param name="id">
-          <xsl:choose><xsl:when test="$doubtful">sum.care</xsl:when><xsl:otherwise>sum.care.sure</xsl:otherwise></xsl:choose>
-        </xsl:with-param>
-        <xsl:with-param name="a" select="count($doubtful)"/><xsl:with-param name="b" select="count($values)"/>
-        <xsl:with-param name="c" select="4"/>
+      <xsl:call-template name="term">
+        <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
       </xsl:call-template>
-      <xsl:if test="$untested">
-        <xsl:value-of select="$gap"/>
-        <xsl:call-template name="say">
-          <xsl:with-param name="id">sum.care.crown</xsl:with-param>
-          <xsl:with-param name="a">
-            <xsl:call-template name="names">
-              <xsl:with-param name="of" select="$untested"/><xsl:with-param name="last">list.last</xsl:with-param>
-            </xsl:call-template>
-          </xsl:with-param>
-        </xsl:call-template>
-      </xsl:if>
+      <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="warning"/>
     </p>
-    <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart']">
-      <p class="care">
-        <xsl:call-template name="term">
-          <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
-        </xsl:call-template>
-        <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
-        <xsl:call-template name="warning"/>
-      </p>
-    </xsl:for-each>
-    <!-- no ranking out of answers that are not valid -->
-    <xsl:variable name="void">
-      <xsl:for-each select="$trees">
-        <xsl:if test="method/solver/as_printed = 'true'">x</xsl:if><xsl:call-template name="small"/>
-      </xsl:for-each>
-    </xsl:variable>
-    <xsl:if test="count($trees) &gt; 1 and $void = ''"><p><b><xsl:call-template name="compare"/></b></p></xsl:if>
+  </xsl:for-each>
+</xsl:template>
+
+<xsl:template name="summary">
+  <div class="summary">
     <xsl:for-each select="$trees">
       <xsl:variable name="small"><xsl:call-template name="small"/></xsl:variable>
       <p>
@@ -533,9 +550,10 @@
             <xsl:otherwise><xsl:call-template name="verdict"/><xsl:call-template name="unassessed"/></xsl:otherwise>
           </xsl:choose>
         </b>
-        <xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="iv-brief"/>
-        <xsl:call-template name="voids"/>
       </p>
+      <p><xsl:call-template name="tips"/></p>
+      <p><xsl:call-template name="strength"/></p>
+      <p><xsl:call-template name="loss"/><xsl:call-template name="iv-brief"/><xsl:call-template name="voids"/></p>
     </xsl:for-each>
   </div>
   <p>

@@ -50,6 +50,11 @@ static void pages(void **state)
     CHECK(rows);
 }
 
+/* The words of the first page of $T/out, a row of a table a line. */
+#define FRONT                                                                                                \
+    "sed 's/<h2.*//; s/<tr/\\n<tr/g; s/<figure/\\n<figure/g' $T/out/report.html | sed '/<svg/d; "            \
+    "s/<[^>]*>/ /g' | tr -s ' '"
+
 static void cards(void **state)
 {
     (void)state;
@@ -67,6 +72,14 @@ static void cards(void **state)
           "'结论：损毁' $T/out/report.html",
           CODE_OK,
           { "1\n" } },
+        { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
+          CODE_OK,
+          { "elastic limit) 2.14 1.5 ", "bending strength) 4.58 1.5 ", "overturning (roots) 0.84 1.5 ",
+            "soil 0.42–0.55 1.5 " } },
+        { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
+          CODE_OK,
+          { "Tree is lost at 23.0 m/", "15 to 41 m/", "once in 11.6 years",
+            "Not assessed Limbs, forks and unions" } },
     };
     CHECK(rows);
 }
@@ -98,6 +111,39 @@ static void scenarios(void **state)
         { "printf 'species\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --thin 10% --wind 20",
           CODE_INPUT,
           { "--thin: has no effect with a table of trees" } },
+    };
+    CHECK(rows);
+}
+
+/* A pulling test of a made-up tree: both safeties against breakage agree, for the tree bends as the fit says.
+ */
+static void from_fit(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples 0",
+          CODE_OK,
+          { "against breakage      1.86", "anchorage 3.265 kN m: 0.0109 rad x 299.3 kN m/rad",
+            "2.5 x 1.17 kN m at 0.25 deg over", "the section bears 22.06 kN m" } },
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples 0 "
+          "--pull-moment '5 kN*m' --soil mineral -o $T/o --no-report -q && grep -c 'role' $T/o/results.json",
+          CODE_OK,
+          { "\n" } },
+        { "cp $S $T/s.yaml; cp models/field/sample_pine.yaml $T; mkdir $T/data; cp "
+          "models/field/data/sample_pull.csv "
+          "$T/data; $W fit $T/s.yaml -o $T/f --no-profile --no-rival --no-report -q; echo '#' >>$T/s.yaml; "
+          "$W assess "
+          "--from $T/f --wind 8",
+          CODE_INPUT,
+          { "s.yaml has changed since it was fitted" } },
+        { "$W analyze oak $RUN -q; $W assess --from $T/out --wind 8",
+          CODE_INPUT,
+          { "is no results folder of windfirm fit" } },
+        { "$W assess --from $T --wind 8 --reduce 10%",
+          CODE_INPUT,
+          { "--reduce: has no effect with a table of trees or a fit" } },
     };
     CHECK(rows);
 }
@@ -149,6 +195,7 @@ static void refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(pages), cmocka_unit_test(cards),
-                                        cmocka_unit_test(refused), cmocka_unit_test(scenarios) };
+                                        cmocka_unit_test(refused), cmocka_unit_test(scenarios),
+                                        cmocka_unit_test(from_fit) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

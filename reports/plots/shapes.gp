@@ -38,14 +38,17 @@ span = high - low > 0.35*top ? high - low : 0.35*top   # a stiff tree still gets
 low = low - 0.07*span; high = low + 1.16*span
 floor = floor < 0 ? 1.03*floor : 0
 
-# The panels: as many a row as fit, as large as the page allows.
-columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
-rows = (trees + columns - 1)/columns
+# The panels: as many a row as make the trees largest within half a page.
 LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = winds > 3 ? 50.0 : 30.0
-w = (640.0 - LEFT - 12 - GAP*(columns-1))/columns
-most = trees == 1 ? 262.0 : (rows == 1 ? 380.0 : 330.0)
-scale = w/(high - low)
-scale = scale*(top - floor) > most ? most/(top - floor) : scale
+wide_of(c) = (640.0 - LEFT - 12 - GAP*(c-1))/c
+rows_of(c) = (trees + c - 1)/c
+high_of(c) = (HIGH_C = 480.0/rows_of(c) - TITLE - UNDER, HIGH_C < 110 ? 110.0 : HIGH_C > 330 ? 330.0 : HIGH_C)
+lesser(a, b) = a < b ? a : b
+scale_of(c) = lesser(wide_of(c)/(high - low), (trees == 1 ? 262.0 : high_of(c))/(top - floor))
+columns = 1
+do for [c=2:(trees < 4 ? trees : 4)] { columns = scale_of(c) > 1.02*scale_of(columns) ? c : columns }
+rows = rows_of(columns)
+scale = scale_of(columns)
 w = scale*(high - low); h = scale*(top - floor)
 WIDTH = 640.0
 side = 0.5*(WIDTH - (LEFT + 12 + GAP*(columns-1) + w*columns))

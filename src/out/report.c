@@ -225,6 +225,8 @@ static enum wf_status draw_report(struct job *j)
     enum wf_status code = WF_OK;
     size_t n = 0;
     bool tree = wf_tree_picture_there(j->folder), lines = tree && wf_tree_picture_lines(j->folder);
+    if (json_array_size(json_object_get(j->results, "trees")) == 1)
+        g[n++] = (struct wf_figure){ "front", "front", 0 };
     if (lines) g[n++] = (struct wf_figure){ "tree", "tree", 0 };
     for (size_t i = 0; j->kind->figure[i]; i++)
         g[n++] = (struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 };

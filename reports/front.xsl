@@ -1,0 +1,530 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- The first page of a report: of one tree what fails, in which wind, how sure that is and what was not looked at, beside a
+     picture; of several trees their ranking and all shapes. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform" xmlns:svg="http://www.w3.org/2000/svg"
+                exclude-result-prefixes="svg">
+
+<!-- The strongest wind with an answer. The context is a tree. -->
+<xsl:template name="front-wind">
+  <xsl:choose>
+    <xsl:when test="verdict/speed/value != ''"><xsl:value-of select="verdict/speed/value"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="winds/item[last()]/speed/value"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- "25.2 m/s (3-s gust 38.3 m/s)" -->
+<xsl:template name="front-speed">
+  <xsl:param name="x"/><xsl:param name="id">fp.wind</xsl:param>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id" select="$id"/>
+    <xsl:with-param name="a">
+      <xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:call-template name="gust"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- A row of safety: against what | safety | required | where. -->
+<xsl:template name="front-safety">
+  <xsl:param name="id"/><xsl:param name="safety"/><xsl:param name="high"/><xsl:param name="required"/><xsl:param name="where"/>
+  <tr>
+    <xsl:if test="$safety != '' and $required != '' and $safety &lt; $required">
+      <xsl:attribute name="class">short</xsl:attribute>
+    </xsl:if>
+    <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></td>
+    <td class="r">
+      <b><xsl:call-template name="fixed">
+        <xsl:with-param name="x" select="$safety"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+      </xsl:call-template>
+      <xsl:if test="$high != ''">
+        <xsl:text>–</xsl:text>
+        <xsl:call-template name="fixed">
+          <xsl:with-param name="x" select="$high"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+        </xsl:call-template>
+      </xsl:if></b>
+    </td>
+    <td class="r">
+      <xsl:call-template name="fixed">
+        <xsl:with-param name="x" select="$required"/><xsl:with-param name="pattern">0.0#</xsl:with-param>
+      </xsl:call-template>
+    </td>
+    <td><xsl:copy-of select="$where"/></td>
+  </tr>
+</xsl:template>
+
+<xsl:template name="front-section">
+  <xsl:param name="section"/>
+  <xsl:if test="$section/height/value != ''">
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">fp.section</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="place">
+          <xsl:with-param name="height" select="$section/height/value"/><xsl:with-param name="section" select="$section"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="100 * $section/diameter/value"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
+<!-- Rows of the stem: its elastic limit, its breakage, and another criterion where that is nearer than both. -->
+<xsl:template name="front-stem">
+  <xsl:variable name="u"><xsl:call-template name="front-wind"/></xsl:variable>
+  <xsl:variable name="asked" select="assessment/required/value | assessment/required[not(value)]"/>
+  <xsl:variable name="stem" select="criteria/item[scope = 'stem' and winds/item[speed/value = $u]/safety/value != '']"/>
+  <xsl:variable name="breaks" select="$stem[criterion = 'breakage']/winds/item[speed/value = $u]/safety/value"/>
+  <xsl:for-each select="$stem[criterion = 'elastic-limit' or criterion = 'breakage' or
+    (winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
+    <xsl:sort select="winds/item[speed/value = $u]/safety/value" data-type="number"/>
+    <xsl:variable name="at" select="winds/item[speed/value = $u]"/>
+    <xsl:call-template name="front-safety">
+      <xsl:with-param name="id" select="concat('fp.', criterion)"/>
+      <xsl:with-param name="safety" select="$at/safety/value"/>
+      <xsl:with-param name="required">
+        <xsl:choose>
+          <xsl:when test="$asked"><xsl:value-of select="$asked"/></xsl:when>
+          <xsl:otherwise><xsl:value-of select="required_safety/value"/></xsl:otherwise>
+        </xsl:choose>
+      </xsl:with-param>
+      <xsl:with-param name="where">
+        <xsl:call-template name="front-section">
+          <xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
+  <xsl:if test="not($stem)">
+    <tr><td colspan="4">
+      <xsl:call-template name="say"><xsl:with-param name="id">fp.no-stem</xsl:with-param></xsl:call-template></td></tr>
+  </xsl:if>
+</xsl:template>
+
+<!-- Rows of the root. -->
+<xsl:template name="front-root">
+  <xsl:variable name="all" select="verdict/criteria/item"/>
+  <xsl:variable name="required">
+    <xsl:choose>
+      <xsl:when test="assessment"><xsl:value-of select="assessment/required"/></xsl:when>
+      <xsl:otherwise><xsl:value-of select="criteria/item[criterion = 'overturning']/required_safety/value"/></xsl:otherwise>
+    </xsl:choose>
+  </xsl:variable>
+  <xsl:choose>
+    <xsl:when test="$all[criterion = 'overturning']">
+      <xsl:call-template name="front-safety">
+        <xsl:with-param name="id">fp.overturning</xsl:with-param>
+        <xsl:with-param name="safety" select="$all[criterion = 'overturning']/safety/value"/>
+        <xsl:with-param name="required" select="$required"/>
+        <xsl:with-param name="where">
+          <xsl:if test="verdict/anchorage/name != ''">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id" select="concat('anchorage.', verdict/anchorage/name)"/></xsl:call-template>
+          </xsl:if>
+        </xsl:with-param>
+      </xsl:call-template>
+      <xsl:if test="$all[criterion = 'overturning-saturated-low']">
+        <xsl:call-template name="front-safety">
+          <xsl:with-param name="id">fp.saturated</xsl:with-param>
+          <xsl:with-param name="safety" select="$all[criterion = 'overturning-saturated-low']/safety/value"/>
+          <xsl:with-param name="high" select="$all[criterion = 'overturning-saturated-high']/safety/value"/>
+          <xsl:with-param name="required" select="$required"/>
+        </xsl:call-template>
+      </xsl:if>
+    </xsl:when>
+    <xsl:otherwise>
+      <tr>
+        <td><xsl:call-template name="say"><xsl:with-param name="id">fp.overturning</xsl:with-param></xsl:call-template></td>
+        <td colspan="3" class="lack">
+          <xsl:call-template name="say"><xsl:with-param name="id">fp.not-assessed</xsl:with-param></xsl:call-template></td>
+      </tr>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<xsl:template name="front-safeties">
+  <table class="data front-safety">
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">fp.c.against;fp.c.safety:;fp.c.required:;fp.c.where</xsl:with-param>
+      <xsl:with-param name="units">no</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <tbody><xsl:call-template name="front-stem"/><xsl:call-template name="front-root"/></tbody>
+  </table>
+</xsl:template>
+
+<!-- At which wind a tree is lost, and by what: "23.0 m/s (3-s gust 35.0 m/s): overturns". -->
+<xsl:template name="front-lost">
+  <xsl:param name="of" select="verdict"/>
+  <xsl:variable name="by" select="$of/criterion"/>
+  <xsl:choose>
+    <xsl:when test="not($of) or not($of/criteria/item)">
+      <xsl:call-template name="say"><xsl:with-param name="id">fp.unknown</xsl:with-param></xsl:call-template>
+    </xsl:when>
+    <xsl:when test="$of/within_limits = 'false'">
+      <xsl:call-template name="say"><xsl:with-param name="id">outcome.void</xsl:with-param></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:if test="$of/outcome = 'found'">
+        <b>
+          <xsl:call-template name="front-speed"><xsl:with-param name="x" select="$of/critical_speed/value"/></xsl:call-template></b>
+        <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+      </xsl:if>
+      <xsl:call-template name="front-outcome"><xsl:with-param name="of" select="$of"/></xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- What happens at the critical wind of a verdict, in words. -->
+<xsl:template name="front-outcome">
+  <xsl:param name="of" select="verdict"/>
+  <xsl:variable name="by" select="$of/criterion"/>
+  <xsl:call-template name="reached">
+    <xsl:with-param name="of" select="$of"/>
+    <xsl:with-param name="id">
+      <xsl:choose>
+        <xsl:when test="not(contains(' found above self-weight ', concat(' ', $of/outcome, ' ')))">
+          <xsl:value-of select="concat('outcome.', $of/outcome)"/>
+        </xsl:when>
+        <xsl:when test="$by = 'overturning'"><xsl:value-of select="concat('outcome.overturn.', $of/outcome)"/></xsl:when>
+        <xsl:when test="$by = 'breakage'"><xsl:value-of select="concat('outcome.', $of/outcome)"/></xsl:when>
+        <xsl:when test="$of/outcome = 'found'"><xsl:value-of select="concat('outcome.', $by, '.found')"/></xsl:when>
+        <xsl:otherwise><xsl:value-of select="concat('outcome.reached.', $of/outcome)"/></xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- The 90 % interval of the critical wind: "15 to 41 m/s (3-s gust 23 to 62 m/s)". -->
+<xsl:template name="front-interval">
+  <xsl:choose>
+    <xsl:when test="interval">
+      <xsl:for-each select="interval">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">fp.interval</xsl:with-param>
+          <xsl:with-param name="a">
+            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="b">
+            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="c">
+            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_gust_m_s"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="d">
+            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_gust_m_s"/></xsl:call-template></xsl:with-param>
+        </xsl:call-template>
+      </xsl:for-each>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="say"><xsl:with-param name="id">fp.no-interval</xsl:with-param></xsl:call-template></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- The direction in which the tree is weakest, or which one was computed. -->
+<xsl:template name="front-direction">
+  <xsl:variable name="all" select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found']"/>
+  <xsl:choose>
+    <xsl:when test="$all">
+      <xsl:for-each select="$all">
+        <xsl:sort select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value" data-type="number"/>
+        <xsl:if test="position() = 1">
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">fp.direction.weakest</xsl:with-param>
+            <xsl:with-param name="a" select="format-number($degrees * from/value, '0')"/>
+            <xsl:with-param name="b" select="../../number"/>
+          </xsl:call-template>
+        </xsl:if>
+      </xsl:for-each>
+    </xsl:when>
+    <xsl:when test="assessment/directions/item">
+      <xsl:for-each select="assessment/directions/item[breakage/value != '' or overturning/value != '']">
+        <xsl:sort select="(breakage[not(../overturning/value &lt; value)] | overturning[not(../breakage/value &lt;= value)])/value"
+                  data-type="number"/>
+        <xsl:if test="position() = 1">
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">fp.direction.weakest</xsl:with-param>
+            <xsl:with-param name="a" select="format-number($degrees * from/value, '0')"/>
+            <xsl:with-param name="b" select="count(../item)"/>
+          </xsl:call-template>
+        </xsl:if>
+      </xsl:for-each>
+    </xsl:when>
+    <xsl:when test="assessment">
+      <xsl:call-template name="say"><xsl:with-param name="id">fp.direction.same</xsl:with-param></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">fp.direction.one</xsl:with-param>
+        <xsl:with-param name="a" select="format-number($degrees * scenario/azimuth/value, '0')"/>
+      </xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<xsl:template name="front-facts">
+  <table class="block facts">
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">fp.lost</xsl:with-param>
+      <xsl:with-param name="text"><xsl:call-template name="front-lost"/></xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">fp.sure</xsl:with-param>
+      <xsl:with-param name="text"><xsl:call-template name="front-interval"/></xsl:with-param>
+    </xsl:call-template>
+    <xsl:if test="assessment">
+      <xsl:call-template name="block-row">
+        <xsl:with-param name="id">fp.return</xsl:with-param>
+        <xsl:with-param name="text"><xsl:call-template name="as-years"/></xsl:with-param>
+      </xsl:call-template>
+    </xsl:if>
+    <xsl:if test="assessment/low != ''">
+      <xsl:call-template name="block-row">
+        <xsl:with-param name="id">fp.least</xsl:with-param>
+        <xsl:with-param name="text">
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">fp.least.text</xsl:with-param>
+            <xsl:with-param name="a" select="format-number(assessment/low, '0.00')"/>
+            <xsl:with-param name="b"><xsl:call-template name="fixed">
+              <xsl:with-param name="x" select="assessment/high"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+            </xsl:call-template></xsl:with-param>
+          </xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:if>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">fp.direction</xsl:with-param>
+      <xsl:with-param name="text"><xsl:call-template name="front-direction"/></xsl:with-param>
+    </xsl:call-template>
+  </table>
+</xsl:template>
+
+<!-- What nobody looked at, and how much of the input was measured. -->
+<xsl:template name="front-missing">
+  <div class="lacks">
+    <h3><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks</xsl:with-param></xsl:call-template></h3>
+    <ul>
+      <xsl:for-each select="verdict/not_assessed/item">
+        <li>
+          <xsl:call-template name="say">
+            <xsl:with-param name="id" select="concat('unassessed.', criterion)"/>
+            <xsl:with-param name="a"><xsl:call-template name="unassessed-why"/></xsl:with-param>
+          </xsl:call-template>
+        </li>
+      </xsl:for-each>
+      <xsl:choose>
+        <xsl:when test="assessment">
+          <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.card</xsl:with-param></xsl:call-template></li>
+        </xsl:when>
+        <xsl:otherwise>
+          <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.tree</xsl:with-param></xsl:call-template></li>
+        </xsl:otherwise>
+      </xsl:choose>
+      <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.all</xsl:with-param></xsl:call-template></li>
+      <xsl:if test="not(interval)">
+        <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.interval</xsl:with-param></xsl:call-template></li>
+      </xsl:if>
+    </ul>
+    <p class="care"><xsl:call-template name="care"/></p>
+    <xsl:call-template name="care-scan"/>
+  </div>
+</xsl:template>
+
+<!-- A figure of the report on the first page. -->
+<xsl:template name="front-figure">
+  <xsl:param name="name"/>
+  <xsl:apply-templates select="/report/figures/figure[@name = $name]"/>
+</xsl:template>
+
+<xsl:template name="signature">
+  <table class="sign">
+    <tr>
+      <td>
+        <xsl:call-template name="say"><xsl:with-param name="id">fp.sign.name</xsl:with-param></xsl:call-template></td><td class="gap"/>
+      <td>
+        <xsl:call-template name="say"><xsl:with-param name="id">fp.sign.date</xsl:with-param></xsl:call-template></td><td class="gap"/>
+      <td><xsl:call-template name="say"><xsl:with-param name="id">fp.sign.hand</xsl:with-param></xsl:call-template></td>
+    </tr>
+  </table>
+</xsl:template>
+
+<!-- The headline of a tree: the word of an assessment, or how it stands in the strongest wind. -->
+<xsl:template name="headline">
+  <xsl:variable name="small"><xsl:call-template name="small"/></xsl:variable>
+  <xsl:choose>
+    <xsl:when test="method/solver/as_printed = 'true'">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">sum.printed</xsl:with-param>
+        <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
+      </xsl:call-template>
+    </xsl:when>
+    <xsl:when test="$small != ''"><xsl:value-of select="$small"/></xsl:when>
+    <xsl:when test="assessment">
+      <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.word.', assessment/word)"/></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise><xsl:call-template name="verdict"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- How grave the headline is, for the colour of its box. -->
+<xsl:template name="grade">
+  <xsl:variable name="safety" select="verdict/safety/value"/>
+  <xsl:choose>
+    <xsl:when test="assessment/word = 'lost' or assessment/word = 'insufficient'">bad</xsl:when>
+    <xsl:when test="assessment/word = 'sufficient'">good</xsl:when>
+    <xsl:when test="assessment">open</xsl:when>
+    <xsl:when test="$safety != '' and $safety &lt;= 1">bad</xsl:when>
+    <xsl:otherwise>open</xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<xsl:template name="front-one">
+  <xsl:variable name="grade"><xsl:call-template name="grade"/></xsl:variable>
+  <xsl:variable name="u"><xsl:call-template name="front-wind"/></xsl:variable>
+  <div class="verdict {$grade}">
+    <p class="word"><xsl:call-template name="headline"/></p>
+    <p>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id"><xsl:text>fp.in</xsl:text><xsl:if test="scenario/design != ''">.design</xsl:if></xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="$u"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="b">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="$u"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="c"><xsl:call-template name="given">
+          <xsl:with-param name="x" select="scenario/wind_height/value"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="d" select="scenario/wind_terrain"/><xsl:with-param name="e" select="scenario/design"/>
+        <xsl:with-param name="f" select="scenario/terrain"/>
+      </xsl:call-template>
+      <xsl:for-each select="assessment/because/item">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.because.', reason)"/></xsl:call-template>
+      </xsl:for-each>
+    </p>
+    <xsl:call-template name="front-safeties"/>
+    <xsl:call-template name="front-facts"/>
+  </div>
+  <div class="cols">
+    <div class="col"><xsl:call-template name="front-missing"/></div>
+    <div class="col picture">
+      <xsl:call-template name="front-figure"><xsl:with-param name="name">front</xsl:with-param></xsl:call-template></div>
+  </div>
+</xsl:template>
+
+<!-- A row of the ranking; the context is a tree. -->
+<xsl:template name="rank-row">
+  <xsl:param name="rank"/>
+  <xsl:variable name="valid" select="not(method/solver/as_printed = 'true') and not(verdict/within_limits = 'false')"/>
+  <tr>
+    <td class="r"><xsl:value-of select="$rank"/></td>
+    <td><b><xsl:call-template name="name"/></b></td>
+    <td class="r">
+      <xsl:choose>
+        <xsl:when test="$valid and verdict/criteria/item">
+          <xsl:call-template name="wind-of"><xsl:with-param name="of" select="verdict"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>–</xsl:otherwise>
+      </xsl:choose>
+    </td>
+    <td class="r">
+      <xsl:choose>
+        <xsl:when test="$valid and verdict/criteria/item">
+          <xsl:call-template name="wind-of">
+            <xsl:with-param name="of" select="verdict"/><xsl:with-param name="gust" select="1"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>–</xsl:otherwise>
+      </xsl:choose>
+    </td>
+    <td class="r">
+      <xsl:choose>
+        <xsl:when test="interval">
+          <xsl:for-each select="interval">
+            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
+            <xsl:text>–</xsl:text>
+            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template>
+          </xsl:for-each>
+        </xsl:when>
+        <xsl:otherwise>–</xsl:otherwise>
+      </xsl:choose>
+    </td>
+    <td class="r">
+      <xsl:call-template name="fixed">
+        <xsl:with-param name="x" select="verdict/safety/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+      </xsl:call-template>
+    </td>
+    <td>
+      <xsl:choose>
+        <xsl:when test="method/solver/as_printed = 'true'">
+          <xsl:call-template name="say"><xsl:with-param name="id">fp.printed</xsl:with-param></xsl:call-template>
+        </xsl:when>
+        <xsl:when test="not(verdict/criteria/item)">
+          <xsl:call-template name="say"><xsl:with-param name="id">fp.unknown</xsl:with-param></xsl:call-template>
+        </xsl:when>
+        <xsl:when test="not($valid)">
+          <xsl:call-template name="say"><xsl:with-param name="id">outcome.void</xsl:with-param></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="front-outcome"/>
+          <xsl:if test="verdict/criterion = 'overturning' and critical_stem/outcome = 'found' and critical_stem/within_limits = 'true'">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">fp.stem-too</xsl:with-param>
+              <xsl:with-param name="a" select="format-number(critical_stem/speed/value, '0.0')"/>
+            </xsl:call-template>
+          </xsl:if>
+        </xsl:otherwise>
+      </xsl:choose>
+      <xsl:if test="verdict/not_assessed/item[criterion = 'overturning']">
+        <xsl:call-template name="say"><xsl:with-param name="id">fp.no-root</xsl:with-param></xsl:call-template>
+      </xsl:if>
+    </td>
+  </tr>
+</xsl:template>
+
+<xsl:template name="front-more">
+  <xsl:variable name="void">
+    <xsl:for-each select="$trees">
+      <xsl:if test="method/solver/as_printed = 'true'">x</xsl:if><xsl:call-template name="small"/></xsl:for-each>
+  </xsl:variable>
+  <xsl:variable name="known" select="$trees[verdict/outcome = 'found' and verdict/within_limits = 'true' and
+    not(method/solver/as_printed = 'true')]"/>
+  <xsl:variable name="u"><xsl:for-each select="$trees[1]"><xsl:call-template name="front-wind"/></xsl:for-each></xsl:variable>
+  <xsl:if test="$void = ''"><p class="first"><b><xsl:call-template name="compare"/></b></p></xsl:if>
+  <table class="data rank">
+    <xsl:call-template name="caption">
+      <xsl:with-param name="id">fp.t.rank</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given">
+        <xsl:with-param name="x" select="$trees[1]/scenario/wind_height/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b" select="$trees[1]/scenario/wind_terrain"/>
+      <xsl:with-param name="c">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$u"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">fp.c.rank:;c.tree;fp.c.mean:m/s;c.gust:m/s;fp.c.interval:m/s;fp.c.safety.loss:;fp.c.words</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <tbody class="long">
+      <xsl:for-each select="$known">
+        <xsl:sort select="verdict/critical_speed/value" data-type="number"/>
+        <xsl:call-template name="rank-row"><xsl:with-param name="rank" select="position()"/></xsl:call-template>
+      </xsl:for-each>
+      <xsl:for-each select="$trees[not(verdict/outcome = 'found' and verdict/within_limits = 'true' and
+        not(method/solver/as_printed = 'true'))]">
+        <xsl:call-template name="rank-row"><xsl:with-param name="rank">–</xsl:with-param></xsl:call-template>
+      </xsl:for-each>
+    </tbody>
+  </table>
+  <p class="care"><xsl:call-template name="care"/></p>
+  <xsl:call-template name="care-scan"/>
+  <xsl:call-template name="front-figure"><xsl:with-param name="name">shapes</xsl:with-param></xsl:call-template>
+</xsl:template>
+
+<!-- Figures that stand on the first page. -->
+<xsl:variable name="in-front">
+  <xsl:choose><xsl:when test="count($trees) = 1">front</xsl:when><xsl:otherwise>shapes</xsl:otherwise></xsl:choose>
+</xsl:variable>
+
+<xsl:template name="front">
+  <section class="front">
+    <xsl:choose>
+      <xsl:when test="count($trees) = 1">
+        <xsl:for-each select="$trees"><xsl:call-template name="front-one"/></xsl:for-each></xsl:when>
+      <xsl:otherwise><xsl:call-template name="front-more"/></xsl:otherwise>
+    </xsl:choose>
+    <xsl:call-template name="signature"/>
+  </section>
+</xsl:template>
+</xsl:stylesheet>
