@@ -77,7 +77,7 @@
   <xsl:variable name="stem" select="criteria/item[scope = 'stem' and winds/item[speed/value = $u]/safety/value != '']"/>
   <xsl:variable name="breaks" select="$stem[criterion = 'breakage']/winds/item[speed/value = $u]/safety/value"/>
   <xsl:for-each select="$stem[criterion = 'elastic-limit' or criterion = 'breakage' or
-    (winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
+    (loses_tree = 'true' and winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
     <xsl:sort select="winds/item[speed/value = $u]/safety/value" data-type="number"/>
     <xsl:variable name="at" select="winds/item[speed/value = $u]"/>
     <xsl:call-template name="front-safety">
