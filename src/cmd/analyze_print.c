@@ -506,6 +506,12 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, "\n");
 }
 
+void wf_print_wetted(FILE *to, const struct wf_analysis *an)
+{
+    print_wetted(to, an->winter);
+    print_wetted(to, an->wetted);
+}
+
 /* The stem by one criterion: at a given wind, and the wind in which it is reached. */
 static void print_criterion(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at, int c)
 {
@@ -591,7 +597,6 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     wf_print_interval(to, an);
     print_branches(to, an);
     wf_print_walls(to, an);
-    print_wetted(to, an->winter);
-    print_wetted(to, an->wetted);
+    wf_print_wetted(to, an);
     print_directions(to, an);
 }
