@@ -14,6 +14,7 @@
 <xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="cavities.xsl"/>
+<xsl:include href="unions.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
 
@@ -376,6 +377,7 @@
         <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
         <xsl:if test="$trees/interval"><xsl:call-template name="intervals"/></xsl:if>
         <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
+        <xsl:if test="$trees/unions"><xsl:call-template name="union-tables"/></xsl:if>
         <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
         <xsl:if test="$trees/winter">
