@@ -332,8 +332,48 @@
   <xsl:apply-templates select="/report/figures/figure[@name = $name]"/>
 </xsl:template>
 
+<xsl:template name="picture">
+  <xsl:param name="name"/>
+  <xsl:variable name="p" select="/report/picture[@name = $name]"/>
+  <xsl:if test="$p">
+    <img class="{$name}" src="{$p}">
+      <xsl:attribute name="alt">
+        <xsl:call-template name="say"><xsl:with-param name="id" select="concat('job.', $name)"/></xsl:call-template>
+      </xsl:attribute>
+    </img>
+  </xsl:if>
+</xsl:template>
+
+<!-- Whose report it is. -->
+<xsl:template name="job-head">
+  <xsl:if test="/report/picture[@name = 'logo'] or $r/job/organisation != ''">
+    <p class="from">
+      <xsl:call-template name="picture"><xsl:with-param name="name">logo</xsl:with-param></xsl:call-template>
+      <xsl:value-of select="$r/job/organisation"/>
+    </p>
+  </xsl:if>
+</xsl:template>
+
+<xsl:template name="job-block">
+  <xsl:if test="$r/job[client != '' or site != '' or tree_number != '']">
+    <p class="job">
+      <xsl:for-each select="$r/job/*[name() = 'client' or name() = 'site' or name() = 'tree_number'][. != '']">
+        <span>
+          <i><xsl:call-template name="say"><xsl:with-param name="id" select="concat('job.', name())"/></xsl:call-template></i>
+          <xsl:text> </xsl:text><xsl:value-of select="."/>
+        </span>
+        <xsl:text> </xsl:text>
+      </xsl:for-each>
+    </p>
+  </xsl:if>
+</xsl:template>
+
 <xsl:template name="signature">
+  <xsl:if test="$r/job/disclaimer != ''"><p class="note"><xsl:value-of select="$r/job/disclaimer"/></p></xsl:if>
   <table class="sign">
+    <xsl:if test="$r/job/assessor != ''">
+      <tr class="who"><td colspan="5"><xsl:value-of select="$r/job/assessor"/></td></tr>
+    </xsl:if>
     <tr>
       <td>
         <xsl:call-template name="say"><xsl:with-param name="id">fp.sign.name</xsl:with-param></xsl:call-template></td><td class="gap"/>
@@ -400,7 +440,10 @@
     <xsl:call-template name="front-facts"/>
   </div>
   <div class="cols">
-    <div class="col"><xsl:call-template name="front-missing"/></div>
+    <div class="col">
+      <xsl:call-template name="front-missing"/>
+      <xsl:call-template name="picture"><xsl:with-param name="name">photo</xsl:with-param></xsl:call-template>
+    </div>
     <div class="col picture">
       <xsl:call-template name="front-figure"><xsl:with-param name="name">front</xsl:with-param></xsl:call-template></div>
   </div>
@@ -509,6 +552,7 @@
   </table>
   <p class="care"><xsl:call-template name="care"/></p>
   <xsl:call-template name="care-scan"/>
+  <xsl:call-template name="picture"><xsl:with-param name="name">photo</xsl:with-param></xsl:call-template>
   <xsl:call-template name="front-figure"><xsl:with-param name="name">shapes</xsl:with-param></xsl:call-template>
 </xsl:template>
 
