@@ -28,11 +28,15 @@
 <!-- A row of safety: against what | safety | required | where. -->
 <xsl:template name="front-safety">
   <xsl:param name="id"/><xsl:param name="safety"/><xsl:param name="high"/><xsl:param name="required"/><xsl:param name="where"/>
+  <xsl:param name="name"/>
   <tr>
     <xsl:if test="$safety != '' and $required != '' and $safety &lt; $required">
       <xsl:attribute name="class">short</xsl:attribute>
     </xsl:if>
-    <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></td>
+    <td>
+      <xsl:call-template name="term"><xsl:with-param name="id" select="$id"/>
+        <xsl:with-param name="otherwise" select="$name"/></xsl:call-template>
+    </td>
     <td class="r">
       <b><xsl:call-template name="fixed">
         <xsl:with-param name="x" select="$safety"/><xsl:with-param name="pattern">0.00</xsl:with-param>
@@ -76,16 +80,18 @@
   <xsl:variable name="asked" select="assessment/required/value | assessment/required[not(value)]"/>
   <xsl:variable name="stem" select="criteria/item[scope = 'stem' and winds/item[speed/value = $u]/safety/value != '']"/>
   <xsl:variable name="breaks" select="$stem[criterion = 'breakage']/winds/item[speed/value = $u]/safety/value"/>
+  <xsl:variable name="wood"> breakage elastic-limit torsion splitting ovalisation </xsl:variable>
   <xsl:for-each select="$stem[criterion = 'elastic-limit' or criterion = 'breakage' or
-    (winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
+    not(contains($wood, concat(' ', criterion, ' '))) or (winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
     <xsl:sort select="winds/item[speed/value = $u]/safety/value" data-type="number"/>
     <xsl:variable name="at" select="winds/item[speed/value = $u]"/>
     <xsl:call-template name="front-safety">
       <xsl:with-param name="id" select="concat('fp.', criterion)"/>
+      <xsl:with-param name="name"><xsl:call-template name="criterion-name"/></xsl:with-param>
       <xsl:with-param name="safety" select="$at/safety/value"/>
       <xsl:with-param name="required">
         <xsl:choose>
-          <xsl:when test="$asked"><xsl:value-of select="$asked"/></xsl:when>
+          <xsl:when test="$asked and contains($wood, concat(' ', criterion, ' '))"><xsl:value-of select="$asked"/></xsl:when>
           <xsl:otherwise><xsl:value-of select="required_safety/value"/></xsl:otherwise>
         </xsl:choose>
       </xsl:with-param>

@@ -351,7 +351,8 @@
           <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>
         </xsl:call-template></th>
         <td><code>
-          <xsl:call-template name="base-name"><xsl:with-param name="path" select="path"/></xsl:call-template></code><br/><span class="hash">sha256 <xsl:value-of select="sha256"/></span></td>
+          <xsl:call-template name="base-name"><xsl:with-param name="path" select="path"/></xsl:call-template></code><br/>
+          <span class="hash">sha256 <xsl:value-of select="sha256"/></span></td>
       </tr>
     </xsl:for-each>
   </table>
