@@ -180,6 +180,16 @@
   </xsl:if>
 </xsl:template>
 
+<!-- Species and model of a page about one tree. -->
+<xsl:template name="whose">
+  <xsl:choose>
+    <xsl:when test="$lang = 'zh' and $r/name_zh != ''">
+      <xsl:value-of select="concat($r/name_zh, '，', substring-after($r/name, ', '))"/>
+    </xsl:when>
+    <xsl:otherwise><xsl:value-of select="$r/name"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- What a warning, which is the node, says: in other languages than the program's first what its kind means. -->
 <xsl:template name="warning">
   <xsl:variable name="means">

@@ -19,7 +19,7 @@
 
 <xsl:variable name="reference">
   <xsl:call-template name="given">
-    <xsl:with-param name="x" select="$trees[1]/scenario/reference_height/value"/>
+    <xsl:with-param name="x" select="($trees[1]/scenario/wind_height | $trees[1]/scenario[not(wind_height)]/reference_height)/value"/>
   </xsl:call-template>
 </xsl:variable>
 

@@ -61,6 +61,17 @@ static void cards(void **state)
     static const struct row rows[] = {
         { "$W assess models/cards/oak.yaml --samples 0 -q; echo \"[$?]\"", CODE_OK, { "[0]" } },
         { "$W assess models/cards/oak.yaml", CODE_OK, { "Oak at the gate: Oak", "anchorage 416.7 kN m" } },
+        /* by hand: crown pi/4 x 14 m x 16 m = 175.93 m2 over the share 0.22 is 799.7 m2; 0.3 mm on it 239.9
+           kg */
+        { "$W assess models/cards/oak.yaml --samples 0 --water-film 0.3mm",
+          CODE_OK,
+          { "rain on the leaves: 239.9 kg, 0.3 mm on 799.7 m2", "rain-leaf-area", "lost at" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --rain 10mm/h",
+          CODE_OK,
+          { "rain on the leaves: 239.9 kg" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --season leaf_off --rain 10mm/h",
+          CODE_INPUT,
+          { "no leaves" } },
         { "$W assess models/cards/oak.yaml --samples 0 --soil unknown",
           CODE_OK,
           { "overturning is not assessed" } },
@@ -115,6 +126,39 @@ static void scenarios(void **state)
     CHECK(rows);
 }
 
+/* A pulling test of a made-up tree: both safeties against breakage agree, for the tree bends as the fit says.
+ */
+static void from_fit(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples 0",
+          CODE_OK,
+          { "against breakage      1.86", "anchorage 3.265 kN m: 0.0109 rad x 299.3 kN m/rad",
+            "2.5 x 1.17 kN m at 0.25 deg over", "the section bears 22.06 kN m" } },
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples 0 "
+          "--pull-moment '5 kN*m' --soil mineral -o $T/o --no-report -q && grep -c 'role' $T/o/results.json",
+          CODE_OK,
+          { "\n" } },
+        { "cp $S $T/s.yaml; cp models/field/sample_pine.yaml $T; mkdir $T/data; cp "
+          "models/field/data/sample_pull.csv "
+          "$T/data; $W fit $T/s.yaml -o $T/f --no-profile --no-rival --no-report -q; echo '#' >>$T/s.yaml; "
+          "$W assess "
+          "--from $T/f --wind 8",
+          CODE_INPUT,
+          { "s.yaml has changed since it was fitted" } },
+        { "$W analyze oak $RUN -q; $W assess --from $T/out --wind 8",
+          CODE_INPUT,
+          { "is no results folder of windfirm fit" } },
+        { "$W assess --from $T --wind 8 --reduce 10%",
+          CODE_INPUT,
+          { "--reduce: has no effect with a table of trees or a fit" } },
+    };
+    CHECK(rows);
+}
+
 static void refused(void **state)
 {
     (void)state;
@@ -154,7 +198,7 @@ static void refused(void **state)
         { "$W assess --species moso_bamboo --height 12 --dbh 10cm --crown-width 3 --crown-base 6 --wind 20",
           CODE_INPUT,
           { "hollow culms" } },
-        { "$W assess " OAK " --rain 5", CODE_INPUT, { "unknown option '--rain'" } },
+        { "$W assess " OAK " --leaf-area 5m2", CODE_INPUT, { "unknown option '--leaf-area'" } },
     };
     CHECK(rows);
 }
@@ -162,6 +206,7 @@ static void refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(pages), cmocka_unit_test(cards),
-                                        cmocka_unit_test(refused), cmocka_unit_test(scenarios) };
+                                        cmocka_unit_test(refused), cmocka_unit_test(scenarios),
+                                        cmocka_unit_test(from_fit) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -123,6 +123,25 @@ static void tables(void **state)
     CHECK(rows);
 }
 
+/* A page a tree, by the line of its row. */
+static void reports(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "printf '# park\\n" HEAD
+          "1,oak,20,250,14,4,\\n2,oka,20,250,14,4,\\n3,ash,18,150,9,3,\\n' >$T/t.csv; $W assess "
+          "$T/t.csv -q -o $T/o.csv --reports $T/r --no-pdf" WIND
+          "; echo $?; cd $T/r && ls; ls row_3; grep -c "
+          "'Verdict: lost' row_3/report.html; grep -c '\"word\"' row_5/results.json",
+          CODE_OK,
+          { "2\nrow_3\nrow_5\n", "report.html\nresults.json\ntables\n1\n1\n" } },
+        { "$W assess models/cards/oak.yaml --reports $T/r",
+          CODE_INPUT,
+          { "--reports: has no effect without a table" } },
+    };
+    CHECK(rows);
+}
+
 /* Cells open no file, and added texts are no formulas. */
 static void hostile(void **state)
 {
@@ -184,6 +203,7 @@ static void goes_on(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(rows), cmocka_unit_test(tables),
-                                        cmocka_unit_test(hostile), cmocka_unit_test(goes_on) };
+                                        cmocka_unit_test(reports), cmocka_unit_test(hostile),
+                                        cmocka_unit_test(goes_on) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

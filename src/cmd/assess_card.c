@@ -41,13 +41,17 @@ static struct wf_card card_of(const struct wf_assess_options *o)
     return c;
 }
 
-/* Are the options those of a command line with a table, whose rows say the rest? */
-static bool of_table(const void *options) { return ((const struct wf_args *)options)->n > 0; }
+/* Is the tree described elsewhere, by the rows of a table or by a fit? */
+static bool elsewhere(const void *options)
+{
+    const struct wf_assess_options *o = options;
+    return o->run.args.n > 0 || o->from;
+}
 
 static bool wrong_value(const void *options, enum wf_card_value v, char *why)
 {
     struct wf_card c = card_of(options);
-    return !of_table(options) && wf_card_wrong(&c, v, why, WF_WHY);
+    return !elsewhere(options) && wf_card_wrong(&c, v, why, WF_WHY);
 }
 
 static bool height_wrong(const void *options, const struct wf_option *row, char *why)
@@ -83,7 +87,7 @@ static bool base_wrong(const void *options, const struct wf_option *row, char *w
 static bool width_wrong(const void *options, const struct wf_option *row, char *why)
 {
     const struct wf_tree_asked *t = &((const struct wf_assess_options *)options)->run.tree;
-    if (of_table(options)) return false;
+    if (elsewhere(options)) return false;
     int given = !isnan(t->crown.width) + !isnan(t->crown.area) + (t->outline != NULL);
     (void)row;
     if (wf_option_unused(!given, why, "is needed, or --frontal-area or --photo-outline")) return true;
@@ -102,7 +106,7 @@ static bool species_wrong(const void *options, const struct wf_option *row, char
     struct wf_err e = { WF_OK, "" };
     (void)row;
     bool wrong =
-        (!name && !of_table(options)) || (name && wf_shipped("species", name, &scratch, &path, &unsaid, &e));
+        (!name && !elsewhere(options)) || (name && wf_shipped("species", name, &scratch, &path, &unsaid, &e));
     (void)wf_option_unused(wrong, why, "%s",
                            name ? e.text : "is needed: a species table ('windfirm species list' shows them)");
     wf_arena_free(&scratch);
@@ -152,7 +156,14 @@ static bool reduce_wrong(const void *options, const struct wf_option *row, char 
 static bool change_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
-    return wf_option_unused(of_table(options), why, "with a table of trees; a card has it");
+    return wf_option_unused(elsewhere(options), why, "with a table of trees or a fit; a card has it");
+}
+
+static bool reports_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!((const struct wf_args *)options)->n, why,
+                            "without a table; -o FOLDER is of a card");
 }
 
 /* ---- The rows ---- */
@@ -192,6 +203,11 @@ static const struct wf_option card_rows[] = {
     NUMBER("--root-loss", root_loss, "SHARE", NONE, NULL, 0, 0.95, NULL,
            "share of the anchorage that is lost with roots, the same from all sides: a rule of ours",
            .unused = change_unused),
+    TEXT("--reports", reports, "FOLDER", NULL,
+         "of a table: also results, tables, plots and pages of each tree, in a folder by the line of its row",
+         .unused = reports_unused),
+    PATH("--from", from, "FOLDER", NULL,
+         "in place of a card: the tree of a pulling test, a results folder of 'windfirm fit'"),
     TEXTS(
         "--scenarios", scenarios, "KEY=VALUE[+KEY=VALUE],...",
         "more such trees, each by keys of a card: reduce=3m, thin=15%+reduce=10%, snow=20cm, terrain=II (the "
@@ -206,11 +222,10 @@ static const struct wf_option card_rows[] = {
 
 /* Options of analyze that say something else, or nothing, of a card. */
 static const char *const left_out[] = {
-    "--output",  "--model",           "--tree",          "--joint",         "--leaf-area",
-    "--rest",    "--scanned",         "--strict",        "--crown-outline", "--unload",
-    "--tree-id", "--scan-model",      "--force",         "--cap-children",  "--preset",
-    "--solver",  "--shelter",         "--branches-from", "--water-film",    "--rain",
-    "--storage", "--branch-strength", "--weight-stress",
+    "--output",  "--model",      "--tree",          "--joint",           "--leaf-area",
+    "--rest",    "--scanned",    "--strict",        "--crown-outline",   "--unload",
+    "--tree-id", "--scan-model", "--force",         "--cap-children",    "--preset",
+    "--solver",  "--shelter",    "--branches-from", "--branch-strength", "--weight-stress",
 };
 
 static bool is_left_out(const struct wf_option *row)
@@ -300,8 +315,9 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
 {
     enum wf_status s = wf_assess_model(&c->options, c->species, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
-    c->request.search.bare = true;
-    if (!WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
+    c->request.search.bare = !c->options.reports;
+    if (c->request.search.bare &&
+        !WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
         c->request.solve.mesh_tolerance = 0.0;
         c->request.solve.tolerance = fmax(c->request.solve.tolerance, 1e-2); /* its square is left */
     }

@@ -15,7 +15,8 @@ struct wf_assess_options {
     const char *reduce;                    /* "20 %" or "3 m"; NULL: not given */
     double thin, cavity_growth, root_loss; /* [-], [m], [-]; NAN: not given */
     bool leaf_off;
-    const char *scenarios; /* NULL: none */
+    const char *scenarios, *from; /* NULL: none */
+    const char *reports;          /* folder, of a table; NULL: none */
 };
 
 /* Set the options that are not rows of assess, and give its rows; they end at name == NULL. */
@@ -39,7 +40,8 @@ struct wf_assess_case {
     struct wf_analysis an;
     struct wf_assessment x;
 };
-/* Given: options and species. Returned: model and request. Errors: as wf_assess_model. */
+/* Given: options and species. Returned: model and request, of a bare analysis unless there are reports.
+ * Errors: as wf_assess_model. */
 enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_err *e);
 /* Given: what the former returned. Returned: the analysis, in the weakest direction, and the assessment. */

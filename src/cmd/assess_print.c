@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/assess_print.h"
+#include "cmd/analyze_print.h"
 #include "cmd/option.h"
 #include "data/model.h"
 #include "data/species.h"
@@ -159,11 +160,12 @@ static void print_directions(FILE *to, const struct wf_assessment *x)
 static void print_missing(FILE *to, const struct wf_analysis *an)
 {
     struct wf_verdict v = wf_verdict_of(an->breaks);
-    wf_show(to,
-            "  not assessed: limbs, forks and unions, and the stem above the middle of the crown (%.3g m); "
-            "its flare "
-            "and the roots as they are; decay other than the cavities given; wear by many gusts\n",
-            an->model->judged_to);
+    wf_show(to, "  not assessed: limbs, forks and unions");
+    if (an->model->judged_to > 0)
+        wf_show(to, ", and the stem above the middle of the crown (%.3g m)", an->model->judged_to);
+    wf_show(
+        to,
+        "; its flare and the roots as they are; decay other than the cavities given; wear by many gusts\n");
     for (int c = 0; c < WF_CRITERIA; c++) {
         const char *why = wf_verdict_unassessed(an, &v, (enum wf_criterion_id)c);
         if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
@@ -230,6 +232,7 @@ void wf_print_assessment(FILE *to, const struct wf_analysis *an)
     print_governing(to, an);
     print_critical(to, an);
     print_years(to, an);
+    wf_print_wetted(to, an);
     print_directions(to, x);
     print_scenarios(to, an);
     print_missing(to, an);

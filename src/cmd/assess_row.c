@@ -23,6 +23,7 @@ static const struct known {
     const char *option, *names;
     bool stand; /* of a tree in a stand */
 } known[] = {
+    { "--card", "tree_name baumname nom_arbre 树名", false },
     { "--species",
       "tree_species species_name latin_name botanical_name art baumart essence espece espèce 树种", false },
     { "--height", "tree_height total_height h höhe hoehe baumhöhe baumhoehe hauteur 树高 高度", false },
@@ -63,6 +64,7 @@ struct wf_tree_columns {
     struct wf_arena arena;
     struct wf_units *units;
     const struct wf_assess_options *line;
+    struct wf_args of_rows; /* what of the command line is said of each row */
     const struct wf_rows *rows;
     size_t *option; /* by column: row of the command's options; (size_t)-1: it is none of them */
     const struct known **as;
@@ -270,6 +272,8 @@ enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct w
     struct wf_tree_columns *c = *out = calloc(1, sizeof *c);
     if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     c->rows = r, c->line = line;
+    c->of_rows = line->run.args;
+    c->of_rows.given[row_of(line->run.args.option, "--reports")] = false;
     c->option = WF_TAKE(&c->arena, r->columns, size_t);
     c->as = WF_TAKE(&c->arena, r->columns, const struct known *);
     c->factor = WF_TAKE(&c->arena, r->columns, double);
@@ -346,11 +350,12 @@ static enum wf_status read_options(const struct wf_tree_columns *c, const struct
     }
     if (stand) option[n] = row_of(c->line->run.args.option, "--peak"), cell[n++] = "gales";
     *out = *c->line; /* what is no option */
-    bool right = wf_args_read_cells(&c->line->run.args, "assess", option, cell, n, c->units, &row->arena,
+    bool right = wf_args_read_cells(&c->of_rows, "assess", option, cell, n, c->units, &row->arena,
                                     &out->run.args, &sink);
     if (!right && !row->reason) row->reason = wf_arena_text(&row->arena, sink.text);
     if (!WF_GIVEN(&c->line->run, samples)) out->run.samples = 0;
     out->run.threads = 1;
+    out->reports = c->line->reports;
     return WF_OK;
 }
 
@@ -443,7 +448,7 @@ static const char *row_fault(const struct wf_rows *r, struct wf_arena *a)
 enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows *r, struct wf_tree_row *out,
                                 struct wf_err *e)
 {
-    *out = (struct wf_tree_row){ .state = WF_ROW_BLANK };
+    *out = (struct wf_tree_row){ .state = WF_ROW_BLANK, .line = r->line };
     out->diag.arena = &out->arena;
     if (r->blank) {
         out->text = wf_arena_text(&out->arena, r->raw);

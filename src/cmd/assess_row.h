@@ -21,6 +21,7 @@ struct wf_tree_row {
     enum wf_row_state state;
     const char *text;   /* the row as it is to be written, in the columns of the table */
     const char *reason; /* NULL: none */
+    size_t line;        /* of the table, 1-based */
     struct wf_diag diag;
     struct wf_assess_case single, stand; /* as given; as a tree of a stand, where its spacing is a cell */
     bool in_stand;

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "cmd/assess_row.h"
 #include "cmd/commands.h"
+#include "out/results.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -22,6 +23,8 @@ struct table {
     struct wf_arena arena;
     struct wf_rows rows;
     struct wf_tree_columns *columns;
+    const char *command;
+    struct wf_input_file input;
     const char *out, *partial, *note; /* the table, while it grows, and what it is of */
     FILE *to;
     char *before; /* lines before the header, and the header */
@@ -135,6 +138,28 @@ static void count(struct table *t, const struct wf_tree_row *r)
     t->failed += r->state == WF_ROW_FAILED;
 }
 
+/* Results and pages of a row that was assessed. */
+static enum wf_status report(struct table *t, struct wf_tree_row *row, struct wf_err *e)
+{
+    const struct wf_pages *pages = &t->line->run.pages;
+    struct wf_run_folder folder = { 0 };
+    struct wf_run run = { .command = t->command,
+                          .version = WF_VERSION,
+                          .date = wf_run_date(&row->arena),
+                          .n = 1,
+                          .analysis = &row->single.an,
+                          .inputs = 1,
+                          .input = &t->input };
+    char *path = wf_arena_print(&row->arena, "%s/row_%zu", t->line->reports, row->line);
+    if (!path || !run.date) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
+    row->single.an.assessment = &row->single.x;
+    enum wf_status s = wf_results_begin(&folder, path, pages->none ? NULL : "report", e);
+    if (!s) s = wf_results_write(&run, folder.stage, e);
+    if (!s) s = wf_results_end(&folder, pages, &row->arena, NULL, e);
+    wf_run_abandon(&folder);
+    return s;
+}
+
 /* Some rows: read, assess side by side, write in order. Returned: *n rows; 0 at the end. */
 static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
 {
@@ -143,6 +168,7 @@ static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
         s = wf_tree_row_read(t->columns, &t->rows, &t->row[(*n)++], e);
     if (!s) s = wf_parallel(*n, t->line->run.threads, assess, t, e);
     for (size_t k = 0; k < *n; k++) {
+        if (!s && t->line->reports && t->row[k].state == WF_ROW_DONE) s = report(t, &t->row[k], e);
         if (!s) wf_tree_row_write(t->columns, &t->row[k], t->to), count(t, &t->row[k]), t->written++;
         wf_arena_free(&t->row[k].arena);
     }
@@ -209,6 +235,7 @@ static enum wf_status finish(struct table *t, struct wf_err *e)
 static enum wf_status run(struct table *t, const char *file, const char *command, struct wf_err *e)
 {
     t->out = t->line->run.output;
+    t->command = command;
     if (!t->out)
         return wf_fail(e, WF_EUSAGE, "-o is needed: the table to be written, for example -o assessed.csv");
     t->partial = wf_arena_print(&t->arena, "%s.partial", t->out);
@@ -216,6 +243,7 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     if (!t->partial || !t->note) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     enum wf_status s = wf_rows_open(&t->rows, file, keep_line, t, e);
     if (!s) s = wf_tree_columns_open(&t->columns, &t->rows, t->line, e);
+    if (!s) s = wf_input_file_note("table", file, &t->arena, &t->input, e);
     const char *note = s ? NULL : note_text(t, command, e);
     if (s || !note) return e->code;
     if (!t->line->run.args.quiet)

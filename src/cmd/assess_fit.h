@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_CMD_ASSESS_FIT_H
+#define WF_CMD_ASSESS_FIT_H
+/* From a fitted pulling test to an assessment: what a results folder of windfirm fit says of one tree. */
+#include "base/arena.h"
+#include "base/err.h"
+#include "data/species.h"
+#include "study/analysis.h"
+#include <stdio.h>
+
+/* A line of a record: what one sensor shows under a force. */
+struct wf_assess_record {
+    const char *test, *sensor;
+    double height;      /* of the sensor [m] */
+    double rope, level; /* height at which the rope pulls [m]; its horizontal share of the force [-] */
+    double azimuth;     /* towards which the tree was pulled [rad] */
+    double quarter;     /* moment on the ground at 0.25 deg of the plate [N m]; NAN: not reached */
+    double slope;       /* strain over force [1/N]; NAN: it is no strain */
+    double most;        /* largest reading [rad] or [-] */
+};
+enum { WF_ASSESS_RECORDS = 16 };
+
+struct wf_assess_fit {
+    const char *study, *species, *model; /* files */
+    struct wf_value youngs, root;        /* fitted; not given: the fit left it. [Pa], [N m rad-1] */
+    size_t records;
+    struct wf_assess_record record[WF_ASSESS_RECORDS];
+};
+
+/* Read FOLDER, the study that it names, which must be the one that was fitted, and the readings. Errors:
+ * WF_EINPUT with mistakes in `d`: no fit of one tree, none of the two values; a study that has changed. */
+enum wf_status wf_assess_fit_read(const char *folder, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_assess_fit *out, struct wf_err *e);
+
+/* Second safeties straight from the record, and the direction of the pull beside the weakest. Given: a
+ * finished analysis whose strongest wind has its columns; the compressive strength over the fitted modulus is
+ * the limit of strain. */
+void wf_assess_fit_print(FILE *to, const struct wf_assess_fit *f, const struct wf_analysis *an);
+#endif
