@@ -111,7 +111,7 @@
     </xsl:call-template>
     <xsl:call-template name="number-row">
       <xsl:with-param name="key">REFERENCE</xsl:with-param>
-      <xsl:with-param name="x" select="$trees[1]/scenario/reference_height/value"/>
+      <xsl:with-param name="x" select="($trees[1]/scenario/wind_height | $trees[1]/scenario[not(wind_height)]/reference_height)/value"/>
     </xsl:call-template>
     <xsl:call-template name="text-row">
       <xsl:with-param name="key">STRONG</xsl:with-param>

@@ -8,13 +8,15 @@
 <xsl:template match="/report" mode="title">
   <xsl:call-template name="say"><xsl:with-param name="id">fr.title</xsl:with-param></xsl:call-template>
 </xsl:template>
-<xsl:template match="/report" mode="sub"><xsl:value-of select="$r/name"/></xsl:template>
+<xsl:template match="/report" mode="sub"><xsl:call-template name="whose"/></xsl:template>
 
 <xsl:template match="/report" mode="body">
   <div class="summary">
     <p>
       <xsl:for-each select="$r/interval">
-        <xsl:call-template name="iv-words"><xsl:with-param name="name" select="$r/name"/></xsl:call-template>
+        <xsl:call-template name="iv-words">
+          <xsl:with-param name="name"><xsl:call-template name="whose"/></xsl:with-param>
+        </xsl:call-template>
         <xsl:value-of select="$gap"/>
         <xsl:if test="lognormal/median_m_s != ''">
           <xsl:call-template name="say">
@@ -43,8 +45,8 @@
   <xsl:call-template name="figure"><xsl:with-param name="name">fragility</xsl:with-param></xsl:call-template>
   <xsl:call-template name="h2"><xsl:with-param name="id">h.interval</xsl:with-param></xsl:call-template>
   <xsl:for-each select="$r/interval">
-    <xsl:call-template name="iv-safety"><xsl:with-param name="name" select="$r/name"/></xsl:call-template>
-    <xsl:call-template name="iv-tornado"><xsl:with-param name="name" select="$r/name"/></xsl:call-template>
+    <xsl:call-template name="iv-safety"><xsl:with-param name="name"><xsl:call-template name="whose"/></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="iv-tornado"><xsl:with-param name="name"><xsl:call-template name="whose"/></xsl:with-param></xsl:call-template>
   </xsl:for-each>
   <xsl:call-template name="findings"/>
 </xsl:template>

@@ -368,7 +368,9 @@
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.reference</xsl:with-param>
       <xsl:with-param name="text">
-        <xsl:call-template name="metres"><xsl:with-param name="x" select="reference_height/value"/></xsl:call-template>
+        <xsl:call-template name="metres">
+          <xsl:with-param name="x" select="(wind_height | self::*[not(wind_height)]/reference_height)/value"/>
+        </xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="block-row">

@@ -7,7 +7,7 @@
 <xsl:template match="/report" mode="title">
   <xsl:call-template name="say"><xsl:with-param name="id">md.title</xsl:with-param></xsl:call-template>
 </xsl:template>
-<xsl:template match="/report" mode="sub"><xsl:value-of select="$r/name"/></xsl:template>
+<xsl:template match="/report" mode="sub"><xsl:call-template name="whose"/></xsl:template>
 
 <xsl:template name="season"><xsl:param name="of" select="season"/>
   <xsl:call-template name="term">

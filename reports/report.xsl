@@ -19,7 +19,7 @@
 
 <xsl:variable name="reference">
   <xsl:call-template name="given">
-    <xsl:with-param name="x" select="$trees[1]/scenario/reference_height/value"/>
+    <xsl:with-param name="x" select="($trees[1]/scenario/wind_height | $trees[1]/scenario[not(wind_height)]/reference_height)/value"/>
   </xsl:call-template>
 </xsl:variable>
 
@@ -84,6 +84,7 @@
 
 <xsl:template name="title-block">
   <header>
+    <xsl:call-template name="job-head"/>
     <h1><xsl:call-template name="title"/></h1>
     <p class="sub">
       <xsl:for-each select="$trees[not(model/key = preceding-sibling::item/model/key)]">
@@ -97,6 +98,7 @@
       <xsl:text> – </xsl:text>
       <span class="program"><xsl:value-of select="concat($r/provenance/program, ' ', $r/provenance/version)"/></span>
     </p>
+    <xsl:call-template name="job-block"/>
     <xsl:call-template name="status"/>
   </header>
 </xsl:template>

@@ -342,7 +342,7 @@ static void a_name_without_a_unit(void **state)
     assert_true(factor == 1e3 && d.errors == 0);
     assert_true(wf_column_need(&csv, u, "moment_foo", WF_DIM_MOMENT, &factor, &e) == WF_CSV_NONE);
     assert_int_equal(d.errors, 1);
-    assert_non_null(strstr(d.first->text, "'moment_foo' is not a unit of a moment; use one of: N m, kN m"));
+    assert_non_null(strstr(d.first->text, "column 'moment_foo' does not say its unit, that of a moment (N m, kN m"));
     wf_units_close(u);
     wf_arena_free(&arena);
     folder_remove(&folder);
@@ -502,6 +502,8 @@ static void room_is_used_up(void **state)
     struct wf_at_speed at;
     beam_stem(&c, 12, upright, 16, 0.10, 0.02);
     c.loads.gravity = 9.81;
+    c.options.mesh_tolerance =
+        1e-8; /* the turn of the tip converges with the mesh more slowly than moments do */
     open_analysis(&c, &an);
     for (int run = 0; run < 3; run++) {
         an.scenario.corridor = 3, an.scenario.corridor_towards = run == 2 ? PI : NAN;

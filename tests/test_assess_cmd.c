@@ -61,6 +61,17 @@ static void cards(void **state)
     static const struct row rows[] = {
         { "$W assess models/cards/oak.yaml --samples 0 -q; echo \"[$?]\"", CODE_OK, { "[0]" } },
         { "$W assess models/cards/oak.yaml", CODE_OK, { "Oak at the gate: Oak", "anchorage 416.7 kN m" } },
+        /* by hand: crown pi/4 x 14 m x 16 m = 175.93 m2 over the share 0.22 is 799.7 m2; 0.3 mm on it 239.9
+           kg */
+        { "$W assess models/cards/oak.yaml --samples 0 --water-film 0.3mm",
+          CODE_OK,
+          { "rain on the leaves: 239.9 kg, 0.3 mm on 799.7 m2", "rain-leaf-area", "lost at" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --rain 10mm/h",
+          CODE_OK,
+          { "rain on the leaves: 239.9 kg" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --season leaf_off --rain 10mm/h",
+          CODE_INPUT,
+          { "no leaves" } },
         { "$W assess models/cards/oak.yaml --samples 0 --soil unknown",
           CODE_OK,
           { "overturning is not assessed" } },
@@ -187,7 +198,7 @@ static void refused(void **state)
         { "$W assess --species moso_bamboo --height 12 --dbh 10cm --crown-width 3 --crown-base 6 --wind 20",
           CODE_INPUT,
           { "hollow culms" } },
-        { "$W assess " OAK " --rain 5", CODE_INPUT, { "unknown option '--rain'" } },
+        { "$W assess " OAK " --leaf-area 5m2", CODE_INPUT, { "unknown option '--leaf-area'" } },
     };
     CHECK(rows);
 }

@@ -94,9 +94,9 @@ static void pages_name_the_site(void **state)
           CODE_OK,
           { "(assumed: open country)" } },
         { "$W shelter --species oak $M --wind 8 --site suburb --no-motion --no-pdf -q --lang zh -o $T/c; "
-          "grep -o '场地地面类别 III（给定, suburb）' $T/c/shelter.html",
+          "grep -o '场地地面类别 III（给定, 郊区）' $T/c/shelter.html",
           CODE_OK,
-          { "suburb" } },
+          { "郊区" } },
     };
     if (system("command -v gnuplot >/dev/null")) skip();
     CHECK(rows);

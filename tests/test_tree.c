@@ -211,9 +211,53 @@ static void many_unsound_rows_are_summed_up(void **state)
     wf_arena_free(&a);
 }
 
+static void stem_row(struct wf_tree *t, size_t i, int32_t parent, double x0, double z0, double x1, double z1,
+                     double r0, double r1)
+{
+    t->parent[i] = parent;
+    t->x0[i] = x0, t->z0[i] = z0, t->x1[i] = x1, t->z1[i] = z1, t->r0[i] = r0, t->r1[i] = r1;
+}
+
+/* The diameter at 1.3 m is along the stem: of an upright, a leaning, a forked one and one that begins above
+ * the ground. */
+static void breast_height(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_err e = { 0 };
+    struct wf_tree t;
+    assert_int_equal(wf_tree_alloc(&t, 3, &a, &e), WF_OK);
+    stem_row(&t, 0, -1, 0, 0, 0, 1, 0.2, 0.18);
+    stem_row(&t, 1, 0, 0, 1, 0, 2, 0.18, 0.16);
+    stem_row(&t, 2, 1, 0, 2, 0, 3, 0.16, 0.1);
+    struct wf_breast b = wf_tree_breast(&t);
+    assert_true(b.row == 1 && !b.forked);
+    assert_close(b.place, 0.3, 1e-12);
+    assert_close(b.diameter, 2 * (0.18 - 0.3 * 0.02), 1e-12);
+    stem_row(&t, 1, 0, 0, 1, 0.8, 1.6, 0.18, 0.16); /* leans: 1 m long */
+    b = wf_tree_breast(&t);
+    assert_close(b.diameter, 2 * (0.18 - 0.3 * 0.02), 1e-12);
+    stem_row(&t, 2, 0, 0, 1, 0, 2, 0.19, 0.17); /* a second limb, thicker */
+    b = wf_tree_breast(&t);
+    assert_true(b.row == 2 && b.forked);
+    assert_close(b.diameter, 2 * (0.19 - 0.3 * 0.02), 1e-12);
+    t.level[2] = 1; /* a branch is no limb */
+    b = wf_tree_breast(&t);
+    assert_true(b.row == 1 && !b.forked);
+    stem_row(&t, 0, -1, 0, 0.4, 0, 1.4, 0.2, 0.1);
+    b = wf_tree_breast(&t);
+    assert_true(b.row == 0);
+    assert_close(b.place, 0.9, 1e-12);
+    t.z1[0] = 1, t.z0[1] = 1, t.z1[1] = 1.1, t.x1[1] = 0, t.level[2] = 1; /* ends below */
+    b = wf_tree_breast(&t);
+    assert_true(b.row < 0 && isnan(b.diameter));
+    wf_arena_free(&a);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(breast_height),
         cmocka_unit_test(columns_start_empty),
         cmocka_unit_test(a_sound_tree_passes),
         cmocka_unit_test(the_length_of_an_arc),

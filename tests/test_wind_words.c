@@ -11,6 +11,8 @@ static void test_words(void **state)
     static const struct row rows[] = {
         { A "--wind gust:mean:20", CODE_INPUT, { "'mean:20': one word of an averaging time" } },
         { A "--wind gust:beaufort:8", CODE_INPUT, { "'beaufort:8': a grade has its averaging time" } },
+        { A "--wind gust:30,gust:36", CODE_INPUT, { "'gust:36': the word stands once, before the first" } },
+        { A "--wind 20,hourly:36", CODE_INPUT, { "'hourly:36': the word stands once" } },
         { A "--wind gust:20,beaufort:8", CODE_INPUT, { "'beaufort:8': a grade has its averaging time" } },
         { A "--wind 20,beaufort:8 --averaging-time 3s",
           CODE_OK,
@@ -35,8 +37,8 @@ static void test_words(void **state)
           "these winds "
           "acts' $T/z/report.html",
           CODE_OK,
-          { "the stem is lost above 60 m/s mean in more than 95 % of 24 samples; 3-s gust above 91.41", "(3-s gust 91 ",
-            "of these winds acts" } },
+          { "the stem is lost above 60 m/s mean in more than 95 % of 24 samples; 3-s gust above 91.41",
+            "(3-s gust 91 ", "of these winds acts" } },
         { A "--wind 20 --spacing 3", CODE_INPUT, { "--spacing has no effect with --peak en1991" } },
         { A "--design sia261 --basic-pressure 0.9 --site in-stand --spacing 3",
           CODE_INPUT,
@@ -63,6 +65,7 @@ static void test_stands(void **state)
     (void)state;
     static const struct row rows[] = {
         { A "--wind 20 --spacing 6 --site forest-edge", CODE_OK, { "6 m spacing, 0 m behind its edge" } },
+        { A "--wind 20 --spacing 3 --site in-stand", CODE_OK, { "[stand-crowded]" } },
         { A "--wind 20 --spacing 6 --site in-stand", CODE_OK, { "6 m spacing, well inside" } },
         { "$W analyze oak --tree docs/examples/scan.csv --wind 40 --spacing 4 --site in-stand --samples 0 "
           "--no-report -o $T/w && awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i } NR == 2 { print "

@@ -66,10 +66,10 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     wf_show(to,
-            "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
+            "\n  The critical wind is a 10-min mean at %.6g m. Hours a year: with an hourly "
             "mean above "
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
-            an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
+            wf_scenario_place(&an->scenario).height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
         wf_show(to, "  '-': not lost up to %.4g m/s; these directions count as 0 hours.\n",
                 an->search.speed_max);
@@ -506,6 +506,12 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, "\n");
 }
 
+void wf_print_wetted(FILE *to, const struct wf_analysis *an)
+{
+    print_wetted(to, an->winter);
+    print_wetted(to, an->wetted);
+}
+
 /* The stem by one criterion: at a given wind, and the wind in which it is reached. */
 static void print_criterion(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at, int c)
 {
@@ -591,7 +597,6 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     wf_print_interval(to, an);
     print_branches(to, an);
     wf_print_walls(to, an);
-    print_wetted(to, an->winter);
-    print_wetted(to, an->wetted);
+    wf_print_wetted(to, an);
     print_directions(to, an);
 }

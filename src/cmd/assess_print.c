@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/assess_print.h"
+#include "cmd/analyze_print.h"
 #include "cmd/option.h"
 #include "data/model.h"
 #include "data/species.h"
@@ -231,6 +232,7 @@ void wf_print_assessment(FILE *to, const struct wf_analysis *an)
     print_governing(to, an);
     print_critical(to, an);
     print_years(to, an);
+    wf_print_wetted(to, an);
     print_directions(to, x);
     print_scenarios(to, an);
     print_missing(to, an);

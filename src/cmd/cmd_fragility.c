@@ -149,7 +149,8 @@ static enum wf_status fragility(void *work, struct wf_doc_head *head, struct wf_
     if (s) return s;
     if (!o->args.quiet) wf_print_head(stdout, &an), wf_print_interval(stdout, &an), print_curve(&an);
     const char *name = wf_arena_print(a, "%s, %s", sp.name, m.name);
-    s = name ? wf_fragility_write(&an, name, d, head, f->stage, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    s = name ? wf_fragility_write(&an, name, sp.name_zh, d, head, f->stage, e)
+             : wf_fail(e, WF_ENOMEM, "no memory");
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)
         wf_show(stdout, "\nTables%s: %s\n", o->pages.none ? "" : ", figure, page", o->output);

@@ -209,15 +209,37 @@ static void question_order(struct winds *w, const char *whole)
             whole, first, whole, comma + 1, comma + 1, first, whole);
 }
 
+/* Words before the first speed, which say what all speeds of the list are. */
+static const struct {
+    const char *word, *plural;
+    double time; /* [s] */
+} times[] = {
+    { "gust:", "3-s gusts", WF_GUST_TIME },
+    { "hourly:", "hourly means", 3600.0 },
+    { "mean:", "10-min means", WF_MEAN_TIME },
+};
+
+/* The word at the start of a text; 0 letters: none. */
+static size_t time_word(const char *text, size_t *which)
+{
+    for (*which = 0; *which < WF_COUNT(times); ++*which)
+        if (strncmp(text, times[*which].word, strlen(times[*which].word)) == 0)
+            return strlen(times[*which].word);
+    return 0;
+}
+
 static void read_list(struct winds *w, char *text, const char *unit, const char *whole)
 {
     const struct wf_wind_scale *scale = NULL;
-    size_t before = w->r->mistakes;
+    size_t before = w->r->mistakes, word;
     double last = 0.0;
     bool falls = false, empty = false;
     for (char *rest = text, *item; w->n <= SPEEDS_MAX && (item = wf_list_item(&rest));) {
         if (!*item) {
             empty = true;
+        } else if (time_word(item, &word)) {
+            winds_mistake(w, "'%.60s': the word stands once, before the first speed, and holds for all",
+                          item);
         } else if (wf_wind_scale_is(item)) {
             scale = read_grade(w, item);
         } else if (follows_grade(w, scale, item, unit)) {
@@ -247,29 +269,16 @@ static void keep_list(const struct winds *w, struct wf_speeds *out)
         if (out->n == 0 || w->speed[k] > w->speed[out->n - 1] + 1e-9) w->speed[out->n++] = w->speed[k];
 }
 
-/* Words before the first speed, which say what all speeds of the list are. */
-static const struct {
-    const char *word, *plural;
-    double time; /* [s] */
-} times[] = {
-    { "gust:", "3-s gusts", WF_GUST_TIME },
-    { "hourly:", "hourly means", 3600.0 },
-    { "mean:", "10-min means", WF_MEAN_TIME },
-};
-
 /* Take the word off the text, and the averaging time from it. */
 static void take_time(struct winds *w, const char **text)
 {
     w->time = w->beside->time;
-    for (size_t i = 0; i < WF_COUNT(times); i++) {
-        size_t n = strlen(times[i].word);
-        if (strncmp(*text, times[i].word, n) != 0) continue;
+    for (size_t i, n; (n = time_word(*text, &i)); *text += n) {
         if (w->beside->time != WF_MEAN_TIME)
             winds_mistake(w, "'%.100s': the averaging time is given twice (--averaging-time)", *text);
         if (w->worded) winds_mistake(w, "'%.100s': one word of an averaging time is taken", *text);
         w->time = times[i].time;
         w->worded = true;
-        *text += n;
     }
 }
 

@@ -270,6 +270,36 @@ void wf_tree_scale(struct wf_tree *t, double length, double radius)
     }
 }
 
+/* The thickest row of level 0 on a row; -1: none. Returned: *several, whether there are more. */
+static int32_t limb_on(const struct wf_tree *t, int32_t below, bool *several)
+{
+    int32_t limb = -1;
+    for (size_t i = (size_t)(below + 1); i < t->n; i++) {
+        if (t->level[i] != 0 || t->parent[i] != below) continue;
+        *several = *several || (limb >= 0 && below >= 0);
+        if (limb < 0 || t->r0[i] > t->r0[limb]) limb = (int32_t)i;
+    }
+    return limb;
+}
+
+struct wf_breast wf_tree_breast(const struct wf_tree *t)
+{
+    struct wf_breast b = { .row = -1, .place = NAN, .diameter = NAN };
+    bool several = false;
+    int32_t row = limb_on(t, -1, &several);
+    double along = row < 0 ? 0 : fmax(0, t->z0[row]); /* a scan may begin above the ground */
+    for (; row >= 0; row = limb_on(t, row, &several)) {
+        double length = wf_tree_length(t, (size_t)row), share = (WF_BREAST_HEIGHT - along) / length;
+        b.forked = several;
+        along += length;
+        if (share > 1) continue;
+        b.row = row, b.place = fmax(0, share);
+        b.diameter = 2 * wf_between(t->r0[row], t->r1[row], b.place);
+        break;
+    }
+    return b;
+}
+
 size_t wf_tip_row(const struct wf_tree *t)
 {
     size_t tip = 0;

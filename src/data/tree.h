@@ -113,7 +113,17 @@ struct wf_along {
 /* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
 double wf_along_at(const struct wf_along *a, double s, double fallback);
 
-#define WF_BREAST_HEIGHT 1.3 /* above the ground, where a stem is measured [m] */
+#define WF_BREAST_HEIGHT 1.3 /* along the stem from the ground, where it is measured [m] */
+/* Where that is: the row of the stem, the place in it (0 = base, 1 = end), the diameter over bark there [m],
+ * NAN: the stem ends below; whether the stem forks below. The rule is that of forest inventories (Forest
+ * Measurements, openoregon.pressbooks.pub/forestmeasurements, 3.5): along the stem, across its axis. They
+ * measure each limb of a stem that forks below as a tree of its own; here its thickest limb is followed. */
+struct wf_breast {
+    int32_t row; /* -1: none */
+    double place, diameter;
+    bool forked;
+};
+struct wf_breast wf_tree_breast(const struct wf_tree *t);
 
 /* The row that ends highest on level 0. */
 size_t wf_tip_row(const struct wf_tree *t);

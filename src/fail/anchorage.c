@@ -30,21 +30,6 @@ static size_t stems(const struct wf_tree *t)
     return n;
 }
 
-/* Diameter 1.3 m from the ground along the stem [m]; NAN: the stem is shorter. */
-static double breast_diameter(const struct wf_tree *t)
-{
-    double along = 0;
-    int32_t last = -1;
-    for (size_t i = 0; i < t->n; i++) {
-        double length = wf_tree_length(t, i), share = (WF_BREAST_HEIGHT - along) / length;
-        if (t->level[i] != 0 || t->parent[i] != last) continue;
-        if (share <= 1) return 2 * (t->r0[i] + share * (t->r1[i] - t->r0[i]));
-        along += length;
-        last = (int32_t)i;
-    }
-    return NAN;
-}
-
 /* Mass of the wood of rows of level 0, whose radii vary linearly [kg]. */
 static double stem_mass(const struct wf_tree *t)
 {
@@ -150,7 +135,8 @@ static enum wf_status find_size(const struct wf_anchorage_request *q, const stru
                                 const struct wf_species *sp, struct wf_arena *a, struct wf_anchorage *out,
                                 struct wf_err *e)
 {
-    double d = breast_diameter(t), h = wf_tree_height(t);
+    const struct wf_breast breast = wf_tree_breast(t);
+    double d = breast.diameter, h = wf_tree_height(t);
     const char *why = isnan(d) ? "the stem is shorter than 1.3 m" : not_by_size(t, sp);
     const struct size_row *row = sizes;
     if (q->grown > 0) h = q->grown;
@@ -159,8 +145,10 @@ static enum wf_status find_size(const struct wf_anchorage_request *q, const stru
     out->moment = row->factor * d * d * h;
     out->scatter = row->scatter;
     return say(out,
-               wf_arena_print(a, "%.3g kN m/m3 x d^2 h (d %.3g m at 1.3 m, h %.4g m), %d trees %s%s",
-                              1e-3 * row->factor, d, h, row->trees,
+               wf_arena_print(a, "%.3g kN m/m3 x d^2 h (d %.3g m at 1.3 m%s, h %.4g m), %d trees %s%s",
+                              1e-3 * row->factor, d,
+                              breast.forked ? " of the thickest limb of a stem that forks below" : "", h,
+                              row->trees,
                               row->latin ? "of " : "of 9 other species or groups together: none of ",
                               row->latin  ? row->latin
                               : sp->latin ? sp->latin

@@ -29,9 +29,9 @@ static int32_t stem_at(const struct wf_tree *t, double height, double *s)
 static void say_bark(const struct wf_model *m, const struct wf_tree *t, enum wf_bark_kind kind,
                      struct wf_diag *d)
 {
-    double s = 0;
-    int32_t at = stem_at(t, WF_BREAST_HEIGHT, &s);
-    size_t i = at < 0 ? 0 : (size_t)at;
+    const struct wf_breast b = wf_tree_breast(t);
+    size_t i = b.row < 0 ? 0 : (size_t)b.row;
+    double s = b.row < 0 ? 0 : b.place;
     double outer = wf_between(t->r0[i], t->r1[i], s), wood = wf_wood_radius(t, i, s),
            left = pow(wood / outer, 3);
     wf_diag_warn(
@@ -65,8 +65,9 @@ static enum wf_status bark_onto(const struct wf_model *m, const struct wf_specie
             "%s: bark 'species': the species table %s has no 'bark'; give a thickness, such as 15 mm", m->key,
             sp->key);
     double s = 0, share = 0;
-    int32_t at = stem_at(t, fmin(WF_BREAST_HEIGHT, wf_tree_height(t)), &s);
-    double radius = at < 0 ? t->r0[0] : wf_between(t->r0[at], t->r1[at], s);
+    const struct wf_breast b = wf_tree_breast(t);
+    int32_t at = b.row < 0 ? stem_at(t, wf_tree_height(t), &s) : -1; /* a stem that ends below: its top */
+    double radius = b.row >= 0 ? 0.5 * b.diameter : at < 0 ? t->r0[0] : wf_between(t->r0[at], t->r1[at], s);
     if (measured) share = m->bark.thickness / radius;
     if (share > 0.5)
         return wf_fail(e, WF_EINPUT,

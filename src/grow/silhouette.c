@@ -448,16 +448,6 @@ static enum wf_status onto_area(const struct wf_model *m, const struct wf_specie
     return s;
 }
 
-/* Diameter of the stem at 1.3 m [m]; NAN where it ends below. */
-static double diameter_at_breast(const struct wf_tree *t)
-{
-    const double breast = WF_BREAST_HEIGHT;
-    for (size_t i = 0; i < t->n; i++)
-        if (t->level[i] == 0 && t->z0[i] <= breast && breast < t->z1[i])
-            return 2 * wf_between(t->r0[i], t->r1[i], (breast - t->z0[i]) / (t->z1[i] - t->z0[i]));
-    return (double)NAN;
-}
-
 /* Mass of the crown as the model gives it [kg]; 0: it does not. */
 static enum wf_status crown_mass(const struct wf_model *m, const struct wf_species *sp,
                                  const struct wf_tree *t, struct wf_arena *a, struct wf_diag *d, double *mass,
@@ -465,7 +455,7 @@ static enum wf_status crown_mass(const struct wf_model *m, const struct wf_speci
 {
     const struct wf_silhouette *s = &m->silhouette;
     const struct wf_outline_size seen = wf_silhouette_size(m, wf_tree_height(t));
-    const struct wf_crown_size size = { diameter_at_breast(t), seen.breadth, seen.height,
+    const struct wf_crown_size size = { wf_tree_breast(t).diameter, seen.breadth, seen.height,
                                         m->season == WF_LEAF_ON };
     struct wf_err why = { WF_OK, "" };
     const char *said;

@@ -129,7 +129,7 @@ static const double bark_rise[] = {
 enum { BARK_POINTS = sizeof bark_drag / sizeof *bark_drag };
 
 /* The points from the first to the last are 0.1 <= Re < 1e7; outside, the law is constant. */
-WF_INLINE real bark_drag_law(real speed, double diameter, real viscosity, real *derivative)
+WF_INLINE real bark_drag_law(real speed, real diameter, real viscosity, real *derivative)
 {
     real re = speed * diameter / viscosity, x = real_log(re) * (1 / M_LN10);
     real_truth low = real_not_above(re, real_of(0.1)), high = real_not_above(real_of(1e7), re);

@@ -28,6 +28,15 @@ double wf_tree_leaf_area(const struct wf_tree *t)
     return sum;
 }
 
+double wf_leaves_of_sail(struct wf_tree *t, double drag_coefficient, double frontal_share)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        t->leaf0[i] = t->sail0[i] / (drag_coefficient * frontal_share);
+        t->leaf1[i] = t->sail1[i] / (drag_coefficient * frontal_share);
+    }
+    return wf_tree_leaf_area(t);
+}
+
 double wf_intercept(struct wf_tree *t, double film)
 {
     for (size_t i = 0; i < t->n; i++)

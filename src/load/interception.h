@@ -16,6 +16,9 @@ const struct wf_storage *wf_storage_named(const char *name);
  * Given: film per one-sided leaf area [kg m-2]. Returned: mass of the water [kg]; 0 for a tree without
  * leaves. */
 double wf_intercept(struct wf_tree *t, double film);
+/* Leaves of a crown that is known by its frontal area alone: one-sided leaf area per axis length = sail over
+ * drag coefficient and frontal share, spread as the sail is. Returned: their area [m2]; 0 without sail. */
+double wf_leaves_of_sail(struct wf_tree *t, double drag_coefficient, double frontal_share);
 /* One-sided leaf area of a tree [m2]. */
 double wf_tree_leaf_area(const struct wf_tree *t);
 #endif

@@ -14,7 +14,8 @@ static inline void flow_at(const struct wf_loads *l, const struct wf_line_point 
             l->axis_drag->coefficient(&l->axis_drag_par, f->across, p->diameter, l->air_viscosity, &cd_slope);
     if (l->streamline && p->sail > 0)
         share = wf_streamline_share(l->streamline, &l->streamline_par, f->speed, &share_slope);
-    flow_forces(p, 0.5 * l->air_density * l->wind_scale, cd, cd_slope, share, share_slope, f);
+    flow_forces(p->diameter, p->lift, p->sail, 0.5 * l->air_density * l->wind_scale, cd, cd_slope, share,
+                share_slope, f);
 }
 
 void wf_load_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],

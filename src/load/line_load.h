@@ -52,15 +52,16 @@ WF_INLINE void flow_past(const real t[3], struct axis_flow *f)
     f->speed = split_direction(f->u, f->e);
 }
 
-/* Forces by coefficients. Given: half the air's density; drag coefficient of the axis and share of the
- * crown's drag area, with their derivatives by speed; *f after flow_past. */
-WF_INLINE void flow_forces(const struct wf_line_point *p, real half, real cd, real cd_slope, real share,
+/* Forces by coefficients. Given: diameter, lift and sail of the point; half the air's density; drag
+ * coefficient of the axis and share of the crown's drag area, with their derivatives by speed; *f after
+ * flow_past. */
+WF_INLINE void flow_forces(real diameter, real lift, real sail, real half, real cd, real cd_slope, real share,
                            real share_slope, struct axis_flow *f)
 {
-    real a = half * p->diameter * f->across, c = half * p->sail * f->speed;
+    real a = half * diameter * f->across, c = half * sail * f->speed;
     f->drag = a * cd;
     f->drag_grow = a * (cd + cd_slope * f->across);
-    f->lift = a * p->lift;
+    f->lift = a * lift;
     f->crown = c * share;
     f->crown_grow = c * (share + share_slope * f->speed);
 }
@@ -223,21 +224,22 @@ WF_INLINE real crown_share(const struct air *a, real speed, real *slope)
 }
 
 static __attribute__((noinline, unused)) void drag_each(const struct air *a, const real *speed,
-                                                        double diameter, real *cd, real *slope)
+                                                        const real *diameter, real *cd, real *slope)
 {
     for (int k = 0; k < WF_WIDTH; k++) {
         const struct wf_loads *l = a->loads[k];
         double by = 0, at = real_lane(*speed, k);
-        real_lane(*cd, k) = l->axis_drag->coefficient(&l->axis_drag_par, at, diameter, l->air_viscosity, &by);
+        real_lane(*cd, k) =
+            l->axis_drag->coefficient(&l->axis_drag_par, at, real_lane(*diameter, k), l->air_viscosity, &by);
         real_lane(*slope, k) = by;
     }
 }
 
-WF_INLINE real axis_drag(const struct air *a, real speed, double diameter, real *slope)
+WF_INLINE real axis_drag(const struct air *a, real speed, real diameter, real *slope)
 {
     if (a->axis == WF_DRAG_BARK) return bark_drag_law(speed, diameter, a->viscosity, slope);
-    real copy = speed, cd, by;
-    drag_each(a, &copy, diameter, &cd, &by);
+    real copy = speed, thick = diameter, cd, by;
+    drag_each(a, &copy, &thick, &cd, &by);
     *slope = by;
     return cd;
 }
@@ -255,9 +257,40 @@ WF_INLINE void load_lanes(const struct air *a, const struct wf_line_point *line,
     real cd = real_of(line->drag), cd_slope = { 0 }, share = real_of(1), share_slope = { 0 };
     sample_lanes(a, x, f.u, f.du);
     flow_past(t, &f);
-    if (isnan(line->drag)) cd = axis_drag(a, f.across, line->diameter, &cd_slope);
+    if (isnan(line->drag)) cd = axis_drag(a, f.across, real_of(line->diameter), &cd_slope);
     if (line->sail > 0) share = crown_share(a, f.speed, &share_slope);
-    flow_forces(line, a->half, cd, cd_slope, share, share_slope, &f);
+    flow_forces(real_of(line->diameter), real_of(line->lift), real_of(line->sail), a->half, cd, cd_slope,
+                share, share_slope, &f);
     flow_load(&f, t, varies, out);
+}
+
+/* Points of one state side by side, in the wind of `a`, whose lanes are alike. */
+struct real_point {
+    real x[3], t[3];                         /* position, unit tangent */
+    real diameter, drag, lift, sail, weight; /* as struct wf_line_point; weight per length [N/m] */
+};
+
+/* As wf_load_on_line. */
+WF_INLINE void load_points(const struct air *a, const struct real_point *p, struct real_load *out)
+{
+    out->force[0] = out->force[1] = real_of(0);
+    out->force[2] = p->weight;
+    for (int i = 0; i < 9; i++) out->by_place[i] = out->by_turn[i] = real_of(0);
+    if (!a->blows) return;
+    struct axis_flow f;
+    real cd = p->drag, cd_slope = { 0 }, share = real_of(1), share_slope = { 0 };
+    sample_lanes(a, p->x, f.u, f.du);
+    flow_past(p->t, &f);
+    real_truth by_law = ~real_not_above(cd, real_of(INFINITY)), leafy = real_below(real_of(0), p->sail);
+    if (real_any(by_law)) {
+        real slope, law = axis_drag(a, f.across, p->diameter, &slope);
+        cd = real_choose(by_law, law, cd), cd_slope = real_choose(by_law, slope, cd_slope);
+    }
+    if (real_any(leafy)) {
+        real slope, law = crown_share(a, f.speed, &slope);
+        share = real_choose(leafy, law, share), share_slope = real_choose(leafy, slope, share_slope);
+    }
+    flow_forces(p->diameter, p->lift, p->sail, a->half, cd, cd_slope, share, share_slope, &f);
+    flow_load(&f, p->t, 1, out);
 }
 #endif

@@ -160,13 +160,15 @@ static void plot_data(struct wf_plot_data *p, const struct wf_analysis *a)
     for (size_t k = 0; k < a->n; k++) wf_plot_data_number(p, "WIND", k + 1, a->at[k].speed);
 }
 
-static enum wf_status document(const struct wf_analysis *a, const char *name, const struct wf_diag *findings,
-                               const struct wf_doc_head *head, const char *folder, struct wf_err *e)
+static enum wf_status document(const struct wf_analysis *a, const char *name, const char *name_zh,
+                               const struct wf_diag *findings, const struct wf_doc_head *head,
+                               const char *folder, struct wf_err *e)
 {
     struct wf_doc d = { 0 };
     const struct wf_wind_place place = wf_scenario_place(&a->scenario);
     json_t *o = wf_doc_begin(&d, "windfirm-fragility", head);
     wf_doc_text(&d, o, "name", name);
+    wf_doc_text(&d, o, "name_zh", name_zh);
     wf_doc_text(&d, o, "wind_terrain", place.terrain->name);
     wf_doc_number(&d, o, "reference_height_m", place.height);
     wf_doc_put(&d, o, "interval", wf_part_interval(&d, a));
@@ -176,7 +178,7 @@ static enum wf_status document(const struct wf_analysis *a, const char *name, co
     return wf_doc_end(&d, o, folder, e);
 }
 
-enum wf_status wf_fragility_write(const struct wf_analysis *a, const char *name,
+enum wf_status wf_fragility_write(const struct wf_analysis *a, const char *name, const char *name_zh,
                                   const struct wf_diag *findings, const struct wf_doc_head *head,
                                   const char *folder, struct wf_err *e)
 {
@@ -189,5 +191,5 @@ enum wf_status wf_fragility_write(const struct wf_analysis *a, const char *name,
     if (s) return s;
     plot_data(&p, a);
     s = wf_plot_data_end(&p, e);
-    return s ? s : document(a, name, findings, head, folder, e);
+    return s ? s : document(a, name, name_zh, findings, head, folder, e);
 }

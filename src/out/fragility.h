@@ -10,8 +10,9 @@
 json_t *wf_part_interval(struct wf_doc *d, const struct wf_analysis *a);
 
 /* Write tables/fragility.csv, tables/tornado.csv, plots/run.csv and results.json. Given: an analysis with its
- * interval; a name for the page; warnings. Errors: WF_EOUTPUT, WF_ENOMEM. */
-enum wf_status wf_fragility_write(const struct wf_analysis *a, const char *name,
+ * interval; a name for the page; the name of the species in Chinese, NULL: none; warnings. Errors:
+ * WF_EOUTPUT, WF_ENOMEM. */
+enum wf_status wf_fragility_write(const struct wf_analysis *a, const char *name, const char *name_zh,
                                   const struct wf_diag *findings, const struct wf_doc_head *head,
                                   const char *folder, struct wf_err *e);
 #endif

@@ -180,6 +180,7 @@ static enum wf_status document(const struct wf_mode_list *l, const char *name, c
     char figure[32];
     json_t *o = wf_doc_begin(&d, "windfirm-modes", head);
     wf_doc_text(&d, o, "name", name);
+    wf_doc_text(&d, o, "name_zh", l->name_zh);
     wf_doc_put(&d, o, "scenario", wf_part_site(&d, l->scenario));
     json_t *line = wf_doc_put(&d, o, "measured", wf_doc_object(&d));
     wf_doc_flag(&d, line, "conifer", l->conifer);

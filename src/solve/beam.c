@@ -11,11 +11,11 @@
 static void add_element_loads(const struct wf_beam *b, size_t i, const double first[3],
                               struct wf_beam_wrench *base, double load[3], double moment[3])
 {
-    struct wf_line_load q[2];
+    struct wf_line_load q[2] = { 0 };
     struct wf_beam_wrench at[2];
     double couple[2][3];
     const struct wf_beam_part *p = &b->mesh.part[i];
-    wf_beam_load(p, &b->loads, &b->stage[i], q);
+    for (int j = 0; j < 2; j++) memcpy(q[j].force, b->load[i][j], sizeof q[j].force);
     wf_beam_couple(wf_beam_flat_of(b, i), couple);
     wf_beam_balance(p->h, &b->stage[i], wf_beam_flat_of(b, i), q, &b->wrench[i], at, base);
     for (int j = 0; j < 2; j++) {
@@ -263,9 +263,7 @@ static void row_loads(const struct wf_beam *b, double *load)
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
         double sum[3] = { 0, 0, 0 };
         for (int32_t k = b->mesh.first[i]; k <= b->mesh.last[i]; k++) {
-            struct wf_line_load q[2];
-            wf_beam_load(&b->mesh.part[k], &b->loads, &b->stage[k], q);
-            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, q[j].force);
+            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, b->load[k][j]);
         }
         memcpy(load + 3 * i, sum, sizeof sum);
     }

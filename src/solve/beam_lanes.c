@@ -4,6 +4,8 @@
 #include "load/line_load.h"
 #include "solve/beam_condense.h"
 #include <float.h>
+#include <stdbool.h>
+#include <stdlib.h>
 
 #define NAMED(width) NAMED_(width)
 #define NAMED_(width) wf_lanes_##width
@@ -601,6 +603,70 @@ static void carry(const struct wf_lanes *coarse, struct wf_lanes *fine)
     }
 }
 
+/* ---- Loads at many points of one state ---- */
+
+static void take_points(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
+                        struct real_point *q)
+{
+    for (size_t k = 0; k < WF_WIDTH; k++) {
+        const struct wf_lanes_point *from = &p[k < n ? k : n - 1]; /* lanes to spare repeat the last */
+        const struct wf_line_point *line = from->line;
+        for (int i = 0; i < 3; i++) real_lane(q->x[i], k) = from->x[i], real_lane(q->t[i], k) = from->t[i];
+        real_lane(q->diameter, k) = line->diameter, real_lane(q->drag, k) = line->drag;
+        real_lane(q->lift, k) = line->lift, real_lane(q->sail, k) = line->sail;
+        real_lane(q->weight, k) = -line->mass * l->gravity * l->weight_scale;
+    }
+}
+
+static void loads(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
+                  struct wf_line_load *out)
+{
+    const struct wf_loads *all[WF_WIDTH];
+    struct air air;
+    for (int k = 0; k < WF_WIDTH; k++) all[k] = l;
+    set_air(all, &air);
+    for (size_t from = 0; from < n; from += WF_WIDTH) {
+        struct real_point point;
+        struct real_load q;
+        size_t some = n - from < WF_WIDTH ? n - from : WF_WIDTH;
+        take_points(l, some, p + from, &point);
+        load_points(&air, &point, &q);
+        for (size_t k = 0; k < some; k++) {
+            struct wf_line_load *to = &out[from + k];
+            for (int i = 0; i < 3; i++)
+                to->force[i] = real_lane(q.force[i], k) + l->point_scale * p[from + k].dead[i];
+            for (int i = 0; i < 9; i++)
+                to->by_place[i] = real_lane(q.by_place[i], k), to->by_turn[i] = real_lane(q.by_turn[i], k);
+        }
+    }
+}
+
 const struct wf_lanes_kernel NAMED(WF_WIDTH) = {
-    .width = WF_WIDTH, .newton = newton, .iterate = iterate, .read = read_all, .carry = carry
+    .width = WF_WIDTH, .loads = loads, .newton = newton, .iterate = iterate, .read = read_all, .carry = carry
 };
+
+#if WF_WIDTH == 1 /* once */
+
+static bool has_width(size_t width)
+{
+#ifdef __x86_64__
+    if (width == 4) return __builtin_cpu_supports("avx2");
+    if (width == 8) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+#endif
+    return true;
+}
+
+const struct wf_lanes_kernel *wf_lanes_kernel(size_t n)
+{
+#ifdef __x86_64__
+    size_t width = n > 4 && has_width(8) ? 8 : 4;
+#else
+    size_t width = 4;
+#endif
+    const char *named = getenv("WINDFIRM_LANES");
+    if (named && strlen(named) == 1 && strchr("148", *named)) width = (size_t)(*named - '0');
+    if (width == 8 && has_width(8)) return &wf_lanes_8;
+    return width >= 4 && has_width(4) ? &wf_lanes_4 : &wf_lanes_1;
+}
+
+#endif

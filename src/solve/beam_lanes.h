@@ -50,8 +50,17 @@ struct wf_lanes {
     size_t loose[WF_LANES_MOST]; /* directions in which small parts are not stable */
 };
 
+/* A point of an axis in one state. */
+struct wf_lanes_point {
+    const double *x, *t, *dead; /* position, unit tangent, dead load per length [N/m] */
+    const struct wf_line_point *line;
+};
+
 struct wf_lanes_kernel {
     size_t width;
+    /* Loads at n points of one state, at least 1, as wf_beam_load gives them. */
+    void (*loads)(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
+                  struct wf_line_load *out);
     /* Newton's method from the present shape. */
     void (*newton)(struct wf_lanes *x);
     /* One iteration from the present shape, for measurements. */
@@ -62,4 +71,7 @@ struct wf_lanes_kernel {
     void (*carry)(const struct wf_lanes *coarse, struct wf_lanes *fine);
 };
 extern const struct wf_lanes_kernel wf_lanes_1, wf_lanes_4, wf_lanes_8;
+/* Kernel for n states on this processor; where the environment's WINDFIRM_LANES is 1, 4 or 8, that width if
+ * the processor has it. */
+const struct wf_lanes_kernel *wf_lanes_kernel(size_t n);
 #endif

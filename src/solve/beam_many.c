@@ -8,28 +8,6 @@
 
 /* Kernels and their memory. */
 
-static bool has_width(size_t width)
-{
-#ifdef __x86_64__
-    if (width == 4) return __builtin_cpu_supports("avx2");
-    if (width == 8) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
-#endif
-    return true;
-}
-
-const struct wf_lanes_kernel *wf_lanes_kernel(size_t n)
-{
-#ifdef __x86_64__
-    size_t width = n > 4 && has_width(8) ? 8 : 4;
-#else
-    size_t width = 4;
-#endif
-    const char *named = getenv("WINDFIRM_LANES");
-    if (named && strlen(named) == 1 && strchr("148", *named)) width = (size_t)(*named - '0');
-    if (width == 8 && has_width(8)) return &wf_lanes_8;
-    return width >= 4 && has_width(4) ? &wf_lanes_4 : &wf_lanes_1;
-}
-
 enum wf_status wf_lanes_joints_make(const struct wf_beam_mesh *m, struct wf_arena *a,
                                     struct wf_lanes_joints *out, struct wf_err *e)
 {

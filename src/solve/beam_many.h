@@ -32,9 +32,6 @@ enum wf_status wf_beam_many(const struct wf_tree *t, struct wf_beam_state *state
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_diag *d,
                             struct wf_err *e);
 
-/* Kernel for n states on this processor; where the environment's WINDFIRM_LANES is 1, 4 or 8, that width if
- * the processor has it. */
-const struct wf_lanes_kernel *wf_lanes_kernel(size_t n);
 /* Memory of x->width lanes on its mesh; what Newton's method alone needs is in `newton`. Errors: WF_ENOMEM.
  */
 enum wf_status wf_lanes_take(const struct wf_lanes_kernel *k, struct wf_lanes *x, struct wf_arena *a,

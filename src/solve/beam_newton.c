@@ -2,8 +2,11 @@
 #include "solve/beam_newton.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
+#include "solve/beam_lanes.h"
 #include "solve/beam_rest.h"
 #include <float.h>
+
+enum { AHEAD = 8 }; /* elements whose loads are computed together */
 
 /* Sweeps over all elements. A parent always precedes its children, so each sweep is one loop. */
 
@@ -151,8 +154,39 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
         for (int j = 0; j < 3; j++) b->root_hold[row][i][j] = r->K[i][3 + j];
 }
 
+/* Loads of elements, computed some ahead of the sweep down, side by side. */
+struct ahead {
+    const struct wf_lanes_kernel *kernel;
+    size_t n, used;
+    struct wf_line_load load[AHEAD][2];
+};
+
+/* The loads of element i and of those that follow it on the way down. */
+static void load_ahead(const struct wf_beam *b, size_t i, struct ahead *a)
+{
+    struct wf_lanes_point point[2 * AHEAD];
+    size_t points = 0;
+    for (size_t k = i + 1; k-- > 0 && points < 2 * AHEAD;)
+        for (int j = 0; j < 2 && !held(b, k); j++)
+            point[points++] = (struct wf_lanes_point){ b->stage[k].r[j], b->stage[k].t[j],
+                                                       b->mesh.part[k].dead[j], &b->mesh.part[k].line[j] };
+    a->kernel->loads(&b->loads, points, point, &a->load[0][0]);
+    a->n = points / 2, a->used = 0;
+}
+
+static struct wf_line_load *load_of(const struct wf_beam *b, size_t i, struct ahead *a)
+{
+    if (a->used == a->n) load_ahead(b, i, a);
+    struct wf_line_load *load = a->load[a->used++];
+    for (int j = 0; j < 2 && b->frozen; j++)
+        memset(load[j].by_place, 0, sizeof load[j].by_place),
+            memset(load[j].by_turn, 0, sizeof load[j].by_turn);
+    return load;
+}
+
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
+    struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST) };
     struct wf_beam_pose ground;
     double first[3] = { 0, 0, 0 };
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
@@ -172,15 +206,12 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
         const struct wf_beam_creep slow = { b->creep, (const double(*)[3])(b->creep > 0 ? b->k0[i] : NULL) };
         const struct wf_beam_creep *creep = b->creep > 0 ? &slow : NULL;
-        struct wf_line_load load[2];
+        struct wf_line_load *load = load_of(b, i, &ahead);
         struct wf_beam_wrench at[2], down;
         struct wf_beam_reaction root = { { { 0 } }, { 0 } };
         bool grounded = p->parent < 0, cut = on_held(b, i);
         double before = b->misfit.bending;
-        wf_beam_load(p, &b->loads, &b->stage[i], load);
-        for (int j = 0; j < 2 && b->frozen; j++)
-            memset(load[j].by_place, 0, sizeof load[j].by_place),
-                memset(load[j].by_turn, 0, sizeof load[j].by_turn);
+        for (int j = 0; j < 2; j++) memcpy(b->load[i][j], load[j].force, sizeof b->load[i][j]);
         wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
         wf_beam_misfit_add(p, &b->shape[i], base->L, creep, &b->stage[i], flat, at, &b->misfit);
         size_t unstable = count ? count->negative : 0;
@@ -233,12 +264,13 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->stage = WF_TAKE(newton, n, struct wf_beam_stage);
     if (b->mesh.flat) b->flat = WF_TAKE(a, n, struct wf_beam_flat);
     b->wrench = WF_TAKE(newton, n, struct wf_beam_wrench);
+    b->load = wf_arena_take(newton, n, sizeof *b->load);
     b->node = WF_TAKE(newton, n, struct wf_beam_reaction);
     b->answer = WF_TAKE(newton, n, struct wf_beam_answer);
     b->change = wf_arena_take(newton, n, sizeof *b->change);
     b->dv = wf_arena_take(newton, n, sizeof *b->dv);
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
-        !b->pose || !b->stage || !b->wrench || !b->node || !b->answer || !b->change || !b->dv ||
+        !b->pose || !b->stage || !b->wrench || !b->load || !b->node || !b->answer || !b->change || !b->dv ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
     return WF_OK;

@@ -19,6 +19,7 @@ struct wf_beam {
     struct wf_beam_stage *stage;
     struct wf_beam_flat *flat;     /* rotated with the element; NULL = all sections are round */
     struct wf_beam_wrench *wrench; /* internal force and moment just below the element's end */
+    double (*load)[2][3];          /* at the Gauss points per length, of the last sweep down [N/m] */
     struct wf_beam_reaction *node;
     struct wf_beam_answer *answer;
     double (*change)[6]; /* of the end */
@@ -43,8 +44,8 @@ struct wf_beam {
 };
 
 /* Build the mesh and the state with the unloaded shape. Mesh and shape (shape, pose, tilt, base) are in `a`;
- * what Newton's method works with (stage, wrench, node, answer, change, dv), two thirds of the memory, in
- * `newton`, which may be `a`. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
+ * what Newton's method works with (stage, wrench, load, node, answer, change, dv), two thirds of the memory,
+ * in `newton`, which may be `a`. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e);

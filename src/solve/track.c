@@ -3,6 +3,7 @@
 #include "base/vec3.h"
 #include "solve/beam.h"
 #include "solve/modes.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +13,14 @@ struct form {
     double (*tilt)[3];
 };
 
+/* A solution that others may start from. */
+struct station {
+    double speed; /* of its wind [m/s] */
+    bool led;     /* `lead` is known: by how much the form changes to that of the other loads */
+    struct form at, lead;
+};
+enum { STATIONS = 6 };
+
 struct wf_track {
     const struct wf_tree *tree;
     const struct wf_track *like; /* its mesh is taken; NULL: none */
@@ -20,11 +29,13 @@ struct wf_track {
     struct wf_arena work;
     struct wf_beam beam;
     struct wf_beam_outcome outcome;
-    double speed;             /* of the wind of the last solution [m/s] */
-    size_t solutions;         /* on this mesh */
-    bool at_last;             /* begin at the last form of `like` */
-    bool solved, led, rested; /* there is a last form, a lead, a form at rest */
+    double speed;        /* of the wind of the last solution [m/s] */
+    size_t solutions;    /* on this mesh */
+    bool at_last;        /* begin at the last form of `like` */
+    bool solved, rested; /* there is a last form, a form at rest */
     struct form last, lead, rest;
+    size_t stations;
+    struct station station[STATIONS];
 };
 
 enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o,
@@ -49,6 +60,9 @@ void wf_track_close(struct wf_track *k)
     free(k);
 }
 
+/* Is the tolerance mostly met by the first mesh? */
+static bool coarse(const struct wf_track *k) { return k->options.mesh_tolerance >= 1e-4; }
+
 /* The unknowns of the beam itself. */
 static struct form form_of(const struct wf_beam *b) { return (struct form){ b->shape, b->tilt }; }
 
@@ -69,18 +83,96 @@ static void add_form(const struct wf_track *k, struct form to, double share, str
     for (size_t i = 0; i < k->tree->n; i++) v3_add(to.tilt[i], share, from.tilt[i]);
 }
 
+static bool take_form(struct wf_track *k, struct form *f)
+{
+    f->shape = WF_TAKE(&k->work, k->beam.mesh.n, struct wf_beam_shape);
+    f->tilt = wf_arena_take(&k->work, k->tree->n, sizeof *f->tilt);
+    return f->shape && f->tilt;
+}
+
+/* Room for the forms of a new mesh: of the stations there are none. */
 static enum wf_status take_forms(struct wf_track *k, struct wf_err *e)
 {
-    struct form *form[] = { &k->last, &k->lead, &k->rest };
-    size_t n = k->beam.mesh.n;
-    for (size_t i = 0; i < sizeof form / sizeof *form; i++) {
-        form[i]->shape = WF_TAKE(&k->work, n, struct wf_beam_shape);
-        form[i]->tilt = wf_arena_take(&k->work, k->tree->n, sizeof *form[i]->tilt);
-        if (!form[i]->shape || !form[i]->tilt)
-            return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions of %zu elements", n);
-    }
-    return WF_OK;
+    k->stations = 0;
+    for (size_t i = 0; i < STATIONS; i++) k->station[i] = (struct station){ .speed = 0 };
+    if (take_form(k, &k->last) && take_form(k, &k->lead) && take_form(k, &k->rest)) return WF_OK;
+    return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions of %zu elements",
+                   k->beam.mesh.n);
 }
+
+/* ---- Stations ---- */
+
+/* Logarithm of the ratio of two wind speeds, without sign. */
+static double apart(double a, double b) { return fabs(log(a / b)); }
+
+static double wind_of(const struct wf_loads *l) { return l->wind ? l->wind->speed : 0; }
+
+static struct station *nearest_station(struct wf_track *k, double speed)
+{
+    struct station *best = NULL;
+    for (size_t i = 0; i < k->stations && speed > 0; i++)
+        if (!best || apart(k->station[i].speed, speed) < apart(best->speed, speed)) best = &k->station[i];
+    return best;
+}
+
+/* Room for another station: the place of one of nearly this speed, a new one, or that of the station which
+ * has another closest to it. NULL: not enough memory. */
+static struct station *free_station(struct wf_track *k, double speed)
+{
+    const double same = 0.02;
+    struct station *nearest = nearest_station(k, speed), *out = &k->station[0];
+    double closest = INFINITY;
+    if (nearest && apart(nearest->speed, speed) < same) return nearest;
+    if (k->stations < STATIONS) {
+        out = &k->station[k->stations];
+        if (!take_form(k, &out->at) || !take_form(k, &out->lead)) return NULL;
+        k->stations++;
+        return out;
+    }
+    for (size_t i = 0; i < STATIONS; i++)
+        for (size_t j = 0; j < STATIONS; j++) {
+            if (i == j || !(apart(k->station[i].speed, k->station[j].speed) < closest)) continue;
+            closest = apart(k->station[i].speed, k->station[j].speed);
+            out = &k->station[i];
+        }
+    return out;
+}
+
+/* Keep the last solution. A fine mesh is made anew for a speed that is not near: there it is the only one. */
+static void keep_station(struct wf_track *k, bool led)
+{
+    if (!(k->speed > 0)) return;
+    struct station *s = !coarse(k) && k->stations ? &k->station[0] : free_station(k, k->speed);
+    if (!s) return; /* solutions will start elsewhere */
+    s->speed = k->speed;
+    s->led = led;
+    copy_form(k, s->at, k->last);
+    if (led) copy_form(k, s->lead, k->lead);
+}
+
+static struct station *near_station(struct wf_track *k, double speed, double near)
+{
+    struct station *s = nearest_station(k, speed);
+    return s && apart(s->speed, speed) <= log(near) ? s : NULL;
+}
+
+static const double near = 1.4; /* ratio of two speeds */
+
+/* Let the last solution be the one nearest to a speed: where it is nearer than `own` (NULL: any near one).
+ * false: none is. */
+static bool recall(struct wf_track *k, double speed, const struct station *own)
+{
+    const double nearer = 1.2, much = 4;
+    const struct station *s = near_station(k, speed, nearer);
+    if (!s || (own && !(much * apart(s->speed, speed) < apart(own->speed, speed)))) return false;
+    copy_form(k, k->last, s->at);
+    k->speed = s->speed;
+    put_back(k, k->last);
+    wf_beam_sweep_up(&k->beam);
+    return true;
+}
+
+/* ---- Meshes ---- */
 
 /* The beam, unloaded, on the mesh of another (NULL: the first mesh of the beam solver). */
 static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, const struct wf_beam_mesh *mesh,
@@ -92,7 +184,7 @@ static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, co
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
     for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? mesh->last[i] - mesh->first[i] + 1 : first;
     wf_arena_free(&k->work);
-    k->rested = k->led = false;
+    k->rested = false;
     k->solutions = 1;
     enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
     wf_arena_free(&scratch);
@@ -111,38 +203,51 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
     if (k->rested) keep(k, k->rest);
     k->speed = k->at_last ? k->like->speed : 0;
     k->solved = true;
+    keep_station(k, false);
     return WF_OK;
 }
 
-/* The form at rest on the mesh of `own`, for the present mesh, whose solution it leaves as it is. */
-static void carry_rest(struct wf_track *k, struct wf_beam *own, const struct form *rest)
+/* A form on the mesh of `own`, for the present mesh. */
+static void carry_form(struct wf_track *k, struct wf_beam *own, struct form from, struct form to)
 {
-    keep(k, k->last);
-    memcpy(own->shape, rest->shape, own->mesh.n * sizeof *own->shape);
-    memcpy(own->tilt, rest->tilt, k->tree->n * sizeof *own->tilt);
+    memcpy(own->shape, from.shape, own->mesh.n * sizeof *own->shape);
+    memcpy(own->tilt, from.tilt, k->tree->n * sizeof *own->tilt);
     wf_beam_sweep_up(own);
     wf_beam_carry(own, &k->beam);
-    keep(k, k->rest);
+    keep(k, to);
+}
+
+/* The form at rest and the stations of the mesh before, for the present mesh, whose solution is left as it
+ * is. */
+static void carry_forms(struct wf_track *k, struct wf_track *before)
+{
+    keep(k, k->last);
+    if (before->rested) carry_form(k, &before->beam, before->rest, k->rest);
+    k->rested = before->rested;
+    for (size_t i = 0; i < before->stations && coarse(k); i++) {
+        struct station *s = free_station(k, before->station[i].speed);
+        if (!s) break;
+        s->speed = before->station[i].speed;
+        s->led = false;
+        carry_form(k, &before->beam, before->station[i].at, s->at);
+    }
     put_back(k, k->last);
-    k->rested = true;
 }
 
 /* A solution at the loads `l` on a mesh of the tolerance, from the shape of `from` (NULL: unloaded). */
 static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const struct wf_beam *from,
                              struct wf_err *e)
 {
-    struct wf_arena before = k->work;
-    struct wf_beam own = k->beam;
-    const struct form rest = k->rest;
-    bool rested = k->rested;
+    struct wf_track before = *k;
     k->work = (struct wf_arena){ 0 };
-    k->rested = k->led = k->solved = false;
+    k->rested = k->solved = false;
+    k->stations = 0;
     k->solutions = 1;
-    if (from == &k->beam) from = &own;
+    if (from == &k->beam) from = &before.beam;
     enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from, from, &k->work, &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
-    if (!s && rested) carry_rest(k, &own, &rest);
-    wf_arena_free(&before);
+    if (!s) carry_forms(k, &before);
+    wf_arena_free(&before.work);
     return s;
 }
 
@@ -153,14 +258,11 @@ static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, s
     return s || meets ? s : remesh(k, l, &k->beam, e);
 }
 
-/* Is the tolerance mostly met by the first mesh? */
-static bool coarse(const struct wf_track *k) { return k->options.mesh_tolerance >= 1e-4; }
-
 /* The first solution, or with a fine mesh one far from the last. */
-static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, const struct wf_track *other,
+static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, struct wf_track *other,
                             struct wf_err *e)
 {
-    if (!coarse(k)) return remesh(k, l, other && other->solved ? &other->beam : NULL, e);
+    if (!coarse(k)) return remesh(k, l, other && recall(other, wind_of(l), NULL) ? &other->beam : NULL, e);
     enum wf_status s = take_beam(k, l, NULL, e);
     if (!s) s = wf_beam_settle(&k->beam, &k->work, &k->outcome, e);
     return s ? s : check_mesh(k, l, e);
@@ -180,6 +282,12 @@ static void forget_shape(struct wf_track *k)
     memset(k->beam.tilt, 0, k->tree->n * sizeof *k->beam.tilt);
 }
 
+/* The same, or after it what settles a few twigs. */
+static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct wf_arena *scratch)
+{
+    return follow(k, l) || wf_beam_settle_parts(&k->beam, scratch);
+}
+
 /* As the beam solver begins. */
 static bool start_anew(struct wf_track *k, const struct wf_loads *l)
 {
@@ -189,10 +297,10 @@ static bool start_anew(struct wf_track *k, const struct wf_loads *l)
 
 /* From the last form at the wind speed `from` by smaller steps of the wind speed, each from the one before.
  */
-static bool approach(struct wf_track *k, const struct wf_loads *l, double from)
+static bool approach(struct wf_track *k, const struct wf_loads *l, double from, struct wf_arena *scratch)
 {
     enum { TRIES = 16 };
-    const double to = l->wind ? l->wind->speed : 0;
+    const double to = wind_of(l);
     double step = 0.5 * (to - from), now = from;
     struct wf_wind wind;
     struct wf_loads loads = *l;
@@ -203,7 +311,7 @@ static bool approach(struct wf_track *k, const struct wf_loads *l, double from)
         bool last = fabs(to - now) <= 1.2 * fabs(step);
         wind.speed = last ? to : now + step;
         put_back(k, k->last);
-        if (!follow(k, last ? l : &loads)) {
+        if (!comes_to_rest(k, last ? l : &loads, scratch)) {
             step *= 0.5;
             continue;
         }
@@ -215,7 +323,32 @@ static bool approach(struct wf_track *k, const struct wf_loads *l, double from)
     return false;
 }
 
-/* From the last solution, or from that in still air: Newton's method, then all that the beam solver does. */
+/* Put the unknowns where Newton's method is to start: at the nearest solution, moved along its derivative
+ * where it is near. The shape moves with the power 1.5 of the speed, between stiff trees (2) and streamlined
+ * ones. Returned: the wind speed of k->last, which it starts from. */
+static double put_start(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start)
+{
+    const double power = 1.5, to = wind_of(l);
+    const struct station *s = nearest_station(k, to);
+    bool close = near_station(k, to, near);
+    if (start->other && recall(start->other, to, close ? s : NULL)) {
+        wf_beam_carry(&start->other->beam, &k->beam);
+        keep(k, k->last);
+        return start->other->speed;
+    }
+    if (k->rested && (!s || to < 0.5 * s->speed)) {
+        put_back(k, k->rest);
+        keep(k, k->last);
+        return 0;
+    }
+    if (s) copy_form(k, k->last, s->at);
+    put_back(k, k->last);
+    if (close && s->led)
+        add_form(k, form_of(&k->beam), (pow(to / s->speed, power) - 1) / (start->share * power), s->lead);
+    return s ? s->speed : k->speed;
+}
+
+/* From the nearest solution: Newton's method, then all that the beam solver does. */
 static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
                             struct wf_err *e)
 {
@@ -223,19 +356,10 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     struct wf_beam *b = &k->beam;
     struct wf_arena scratch = { 0 };
     enum wf_status s = WF_OK;
-    bool low = start->low && k->rested;
-    double from = low ? 0 : k->speed;
-    if (low) copy_form(k, k->last, k->rest);
-    put_back(k, k->last);
-    if (!start->near && start->other && start->other->solved) {
-        wf_beam_carry(&start->other->beam, b);
-        keep(k, k->last);
-        from = start->other->speed;
-    }
-    if (start->near && k->led) add_form(k, form_of(b), start->ahead, k->lead);
+    double from = put_start(k, l, start);
     b->iterations = b->steps = 0;
     k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (!follow(k, l) && !wf_beam_settle_parts(b, &scratch) && !start_anew(k, l) && !approach(k, l, from)) {
+    if (!comes_to_rest(k, l, &scratch) && !approach(k, l, from, &scratch) && !start_anew(k, l)) {
         forget_shape(k);
         b->options = &k->options;
         b->loads = *l;
@@ -255,7 +379,6 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     struct wf_beam *b = &k->beam;
     enum wf_status s = wf_response_alloc(&out->side, k->tree->n, a, e);
     if (s) return s;
-    keep(k, k->last);
     if (!wf_beam_finish(b)) return WF_OK;
     wf_beam_read(b, &out->at);
     keep(k, k->lead);
@@ -269,7 +392,7 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     k->last = at;
     keep(k, k->lead);
     add_form(k, k->lead, -1, k->last);
-    out->sided = k->led = true;
+    out->sided = true;
     return WF_OK;
 }
 
@@ -282,20 +405,20 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     if (s) return s;
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
-    bool on = k->solved && (like || coarse(k) || start->near);
+    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), near));
     s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);
     out->at.load_factor = k->outcome.load_factor;
-    k->led = false;
     if (s) return s;
     out->irregular = k->beam.loose > 0 || k->outcome.beyond_limit;
     keep(k, k->last);
     k->solved = true;
-    k->speed = l->wind ? l->wind->speed : 0;
+    k->speed = wind_of(l);
     if (!l->wind) keep(k, k->rest);
     k->rested = k->rested || !l->wind;
     if (side) s = read_both(k, side, a, out, e);
     if (!out->sided) wf_beam_read(&k->beam, &out->at);
     out->at.load_factor = k->outcome.load_factor;
+    keep_station(k, out->sided);
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
     return s;

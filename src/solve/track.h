@@ -26,21 +26,19 @@ struct wf_tracked {
     bool irregular; /* small parts are not stable, or a limit point lies on the way to the full load */
 };
 
-/* Where Newton's method starts. */
+/* Where Newton's method starts: from the solution whose wind speed is nearest, of this track or, where none
+ * is near, of another. */
 struct wf_track_start {
-    bool
-        low; /* nearer to still air than to the last loads: from the solution in still air, if there is one */
-    bool near; /* near the last loads: from its shape moved along its derivative by `ahead` times `side` -
-                  `at` */
-    double ahead;
-    const struct wf_track
-        *other; /* where the last loads are not near: a track whose last ones are (NULL: none) */
+    double share;           /* `side` are the loads of a wind that is faster by this share [-] */
+    struct wf_track *other; /* a track of the same tree, whose last solution may become another of its own
+                               (NULL: none) */
 };
 
 /* Equilibrium at the loads `l`. Given: `side` (NULL: not wanted), loads that differ from l by a small d; the
  * response to them is first-order: its difference to the answer, over d, is the derivative of the answer to
  * an error of order d. Returned: as the solver 'beam'. Method: Newton's method on the mesh of the last
- * solution, and what the beam solver does where that fails. The mesh is compared with one twice as fine at
+ * solution, from the nearest of the last few moved along its derivative where it is near; and what the beam
+ * solver does where that fails. The mesh is compared with one twice as fine at
  * the first and every fourth solution, and refined where it does not meet the tolerance. */
 enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
                               const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,

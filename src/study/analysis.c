@@ -66,6 +66,26 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
     return WF_OK;
 }
 
+/* Rain on the leaves. A crown in leaf that is given by its outline or width has as many as its frontal area
+ * takes by the species' share. */
+static void rain(struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_crown *c = &an->species->crown;
+    double film = an->scenario.water;
+    if (!(film > 0)) return;
+    bool unknown = !(wf_tree_leaf_area(&an->tree) > 0) && an->model->season == WF_LEAF_ON;
+    if (unknown && c->frontal_share.value > 0) {
+        double area = wf_leaves_of_sail(&an->tree, c->drag_coefficient.value, c->frontal_share.value);
+        if (area > 0)
+            wf_diag_warn(
+                d, "rain-leaf-area",
+                "%s: leaf area is not given; rain is put on %.4g m2 of leaves, the crown's frontal area over "
+                "the species' frontal share of %.3g (%.3g to %.3g)",
+                an->model->name, area, c->frontal_share.value, c->frontal_share.low, c->frontal_share.high);
+    }
+    wf_intercept(&an->tree, film);
+}
+
 static enum wf_status anchor(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_anchorage *found = WF_TAKE(a, 1, struct wf_anchorage);
@@ -95,7 +115,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     wf_analysis_room(an);
     an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
     if (!s) s = wf_rest_set_up(an, o, a, d, e);
-    if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */
+    if (!s) rain(an, d); /* it was drawn dry */
     if (!s) s = winter(an, d, e);
     return s;
 }
@@ -192,7 +212,10 @@ static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
     struct wf_err unsaid = { WF_OK, "" };
     struct wf_sway_modes *out = WF_TAKE(a, 1, struct wf_sway_modes);
     if (!out || !an->peak->method->sways || !an->peak->sways || an->tree.n > LARGE) return NULL;
-    return wf_sway_modes(an, o, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
+    struct wf_solve_options shown = *o;
+    /* nothing is computed from them: frequencies err by less than a tenth of this tolerance */
+    if (o->mesh_tolerance > 0.0) shown.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
+    return wf_sway_modes(an, &shown, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
 }
 
 /* The given speeds as nodes, then the lowest critical one. */

@@ -315,6 +315,7 @@ struct span {
 
 struct ends {
     double y[2], slope[2];
+    double rest; /* the value in still air; 0: unknown */
 };
 
 static struct span span_of(double a, double b, double x)
@@ -324,69 +325,110 @@ static struct span span_of(double a, double b, double x)
     return s;
 }
 
+/* Does what the wind adds to the value at rest follow a power of the speed at both ends? */
+static bool powers(const struct span *s, const double added[2], const double slope[2], double power[2])
+{
+    const double least = 0.1, most = 8.0;
+    power[0] = s->a * slope[0] / added[0], power[1] = s->b * slope[1] / added[1];
+    for (int k = 0; k < 2; k++)
+        if (!(power[k] > least && power[k] < most)) return false;
+    return added[0] * added[1] > 0.0;
+}
+
+static double by_square(const struct span *s, const struct ends *q)
+{
+    return wf_crossing_cubic(s->a * s->a, s->b * s->b, q->y[0], q->y[1], q->slope[0] / (2.0 * s->a),
+                             q->slope[1] / (2.0 * s->b), s->x * s->x);
+}
+
 /* The curve that is drawn. */
 static double drawn(const struct span *s, const struct ends *q)
 {
-    const double *y = q->y, *d = q->slope;
+    const double *y = q->y, *d = q->slope, added[2] = { y[0] - q->rest, y[1] - q->rest };
+    double power[2];
     if (!(s->a > 0.0)) {
-        double power = s->b * d[1] / (y[1] - y[0]); /* not finite: the ends are equal */
-        if (!(power > 0.0 && power < 8.0)) return wf_crossing_cubic(s->a, s->b, y[0], y[1], d[0], d[1], s->x);
-        return y[0] + (y[1] - y[0]) * pow(s->x / s->b, power);
+        double to = s->b * d[1] / (y[1] - y[0]); /* not finite: the ends are equal */
+        if (!(to > 0.0 && to < 8.0)) return wf_crossing_cubic(s->a, s->b, y[0], y[1], d[0], d[1], s->x);
+        return y[0] + (y[1] - y[0]) * pow(s->x / s->b, to);
     }
-    if (!(y[0] * y[1] > 0.0)) return wf_crossing_cubic(s->a, s->b, y[0], y[1], d[0], d[1], s->x);
-    double log_y = wf_crossing_cubic(s->log_a, s->log_b, log(fabs(y[0])), log(fabs(y[1])), s->a * d[0] / y[0],
-                                     s->b * d[1] / y[1], s->log_x);
-    return copysign(exp(log_y), y[0]);
+    if (!powers(s, added, d, power)) return by_square(s, q);
+    double size = wf_crossing_cubic(s->log_a, s->log_b, log(fabs(added[0])), log(fabs(added[1])), power[0],
+                                    power[1], s->log_x);
+    return q->rest + copysign(exp(size), added[0]);
 }
 
 /* The curve it is compared with. */
 static double compared(const struct span *s, const struct ends *q)
 {
-    const double *y = q->y, *d = q->slope;
-    if (!(s->a > 0.0)) return wf_crossing_cubic(s->a, s->b, y[0], y[1], d[0], d[1], s->x);
-    return wf_crossing_cubic(s->a * s->a, s->b * s->b, y[0], y[1], d[0] / (2.0 * s->a), d[1] / (2.0 * s->b),
-                             s->x * s->x);
+    const double *y = q->y, *d = q->slope, added[2] = { y[0] - q->rest, y[1] - q->rest };
+    double power[2];
+    if (s->a > 0.0 && powers(s, added, d, power)) return by_square(s, q);
+    return wf_crossing_cubic(s->a, s->b, y[0], y[1], d[0], d[1], s->x);
 }
+
+/* Nodes at both ends, and that in still air (NULL: unknown). */
+struct between {
+    const struct wf_tree *tree;
+    const struct wf_node *low, *high, *still;
+};
 
 /* The largest of a column, by both curves: of the stress on all rows, else of those in a scope. Rows that
  * cannot reach the smaller of the values at the ends are passed over. */
-static void largest(const struct wf_tree *t, const struct wf_node *low, const struct wf_node *high,
-                    size_t column, enum wf_scope scope, const struct span *s, const double at_ends[2],
-                    double out[2])
+static void largest(const struct between *n, size_t column, enum wf_scope scope, const struct span *s,
+                    const double at_ends[2], double out[2])
 {
+    const struct wf_tree *t = n->tree;
     const double least = 0.8 * fmin(at_ends[0], at_ends[1]);
-    const float *y0 = low->column[column].value, *y1 = high->column[column].value,
-                *d0 = low->column[column].gain, *d1 = high->column[column].gain;
+    const float *y0 = n->low->column[column].value, *y1 = n->high->column[column].value,
+                *d0 = n->low->column[column].gain, *d1 = n->high->column[column].gain,
+                *rest = n->still ? n->still->column[column].value : NULL;
     out[0] = out[1] = 0.0;
     for (size_t i = 0; i < t->n; i++) {
         double top = fmax((double)y0[i], (double)y1[i]);
         if (!(top > 0.0) || top + (s->b - s->a) * (fabs((double)d0[i]) + fabs((double)d1[i])) < least)
             continue;
         if (column != WF_NODE_STRESS && !wf_scope_holds(scope, t, i)) continue;
-        struct ends q = { { (double)y0[i], (double)y1[i] }, { (double)d0[i], (double)d1[i] } };
+        struct ends q = { { (double)y0[i], (double)y1[i] },
+                          { (double)d0[i], (double)d1[i] },
+                          rest ? (double)rest[i] : 0.0 };
         out[0] = fmax(out[0], drawn(s, &q));
         out[1] = fmax(out[1], compared(s, &q));
     }
 }
 
+/* The moment on the ground, by both curves of its parts: of a tree that is blown upright it passes zero, near
+ * which its size has a corner. */
+static void moment_between(const struct between *n, const struct span *s, double out[2])
+{
+    const double *a = n->low->at.response.base_moment, *b = n->high->at.response.base_moment,
+                 *rest = n->still ? n->still->at.response.base_moment : NULL;
+    double part[2][2];
+    for (int k = 0; k < 2; k++) {
+        const struct ends q = { { a[k], b[k] },
+                                { n->low->turning[k], n->high->turning[k] },
+                                rest ? rest[k] : 0.0 };
+        part[0][k] = drawn(s, &q), part[1][k] = compared(s, &q);
+    }
+    for (int k = 0; k < 2; k++) out[k] = hypot(part[k][0], part[k][1]);
+}
+
 /* What an error of a total is compared with: its value, but at least a thousandth of its largest value; a
- * fiftieth where it is the size of a vector that may vanish (a leaning tree is blown upright); for the force
- * across the wind also a tenth of the drag. */
+ * fiftieth where it is the size of a vector that may vanish (a leaning tree is blown upright). */
 static double yardstick(const double v[WF_TOTALS], const double size[WF_TOTALS], int k)
 {
-    bool vector =
-        k == WF_TOTAL_LIFT || k == WF_TOTAL_DEFLECTION || k == WF_TOTAL_ANGLE || k == WF_TOTAL_MOMENT;
+    bool vector = k == WF_TOTAL_DEFLECTION || k == WF_TOTAL_ANGLE || k == WF_TOTAL_MOMENT;
     double least = (vector ? 0.02 : 1e-3) * size[k];
-    if (k == WF_TOTAL_LIFT) least = fmax(least, 0.1 * fabs(v[WF_TOTAL_DRAG]));
     return fmax(fabs(v[k]), least);
 }
 
 /* Largest relative difference of two sets of totals. Given: size[WF_TOTALS], the largest value of each total
- * on the curve. Of the criteria the first counts, of which curves are drawn. */
+ * on the curve. What no curve is drawn of does not count: lift,
+ * and criteria but the first. */
 static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS], const double size[WF_TOTALS])
 {
     double worst = 0.0;
     for (int k = 0; k < WF_TOTAL_UTILISATION + WF_SCOPES; k++) {
+        if (k == WF_TOTAL_LIFT) continue;
         double off = fabs(b[k] - a[k]) / yardstick(a, size, k);
         if (isfinite(a[k]) && size[k] > 0.0) worst = fmax(worst, isfinite(off) ? off : INFINITY);
     }
@@ -395,25 +437,29 @@ static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS],
 
 /* Given: tree; two nodes with slopes, low below high; a speed between them [m/s]. Returned: v[WF_TOTALS]; and
  * other[WF_TOTALS], by a second curve with the same values and slopes: their difference bounds the error
- * where it is small. Method: cubics of the logarithms of value and speed where the values have one sign, else
- * of value and speed; from speed 0 a power of the speed beside the value there. The second curve is a cubic
- * of the square of the speed (from speed 0: of the speed). Utilisation and largest stress are the largest of
- * those of the rows, so that a curve may pass from one governing row to another. */
-static void totals_between(const struct wf_tree *t, const struct wf_node *low, const struct wf_node *high,
-                           double speed, double v[WF_TOTALS], double other[WF_TOTALS])
+ * where it is small. Method: what the wind adds to the value at rest is a cubic of logarithms of value and
+ * speed where it follows a power of the speed at both ends, compared with a cubic of the speed's square;
+ * where it does not, that cubic, compared with one of the speed. From speed 0 a power of the speed beside the
+ * value there. Utilisation and largest stress are the largest of those of the rows, so that a curve may pass
+ * from one governing row to another. */
+static void totals_between(const struct between *n, double speed, double v[WF_TOTALS],
+                           double other[WF_TOTALS])
 {
+    const struct wf_node *low = n->low, *high = n->high;
     const struct span s = span_of(low->at.speed, high->at.speed, speed);
-    double ends[2][WF_TOTALS];
+    double ends[2][WF_TOTALS], rest[WF_TOTALS] = { 0 };
     wf_totals_read(&low->at, ends[0]);
     wf_totals_read(&high->at, ends[1]);
+    if (n->still) wf_totals_read(&n->still->at, rest);
     for (int k = 0; k < WF_TOTALS; k++) {
-        const struct ends q = { { ends[0][k], ends[1][k] }, { low->slope[k], high->slope[k] } };
+        const struct ends q = { { ends[0][k], ends[1][k] }, { low->slope[k], high->slope[k] }, rest[k] };
         int part = k - WF_TOTAL_UTILISATION;
         double by[2] = { drawn(&s, &q), compared(&s, &q) };
+        if (k == WF_TOTAL_MOMENT) moment_between(n, &s, by);
         if (isfinite(q.y[0]) && isfinite(q.y[1]) && k == WF_TOTAL_STRESS)
-            largest(t, low, high, WF_NODE_STRESS, WF_SCOPE_TREE, &s, q.y, by);
+            largest(n, WF_NODE_STRESS, WF_SCOPE_TREE, &s, q.y, by);
         else if (isfinite(q.y[0]) && isfinite(q.y[1]) && part >= 0)
-            largest(t, low, high, (size_t)(part / WF_SCOPES), (enum wf_scope)(part % WF_SCOPES), &s, q.y, by);
+            largest(n, (size_t)(part / WF_SCOPES), (enum wf_scope)(part % WF_SCOPES), &s, q.y, by);
         v[k] = by[0], other[k] = by[1];
     }
 }
@@ -458,7 +504,12 @@ static void order_nodes(struct sloped *c)
         for (int q = 0; q < WF_TOTALS && !c->node[k]->at.status; q++)
             if (isfinite(v[q])) c->size[q] = fmax(c->size[q], fabs(v[q]));
     }
-    c->size[WF_TOTAL_LIFT] = fmax(c->size[WF_TOTAL_LIFT], c->size[WF_TOTAL_DRAG]);
+}
+
+static struct between between(const struct sloped *c, size_t low, size_t high)
+{
+    bool still = c->node[0]->at.speed == 0.0 && !c->node[0]->at.status;
+    return (struct between){ &c->an->tree, c->node[low], c->node[high], still ? c->node[0] : NULL };
 }
 
 static bool positive(const struct sloped *c, size_t i)
@@ -475,7 +526,8 @@ static double error_by_node(const struct sloped *c, size_t i, size_t k)
     if (k == 0 || !positive(c, k - 1) || !positive(c, k) || !positive(c, k + 1)) return NAN;
     double low = log(c->node[k - 1]->at.speed), middle = log(c->node[k]->at.speed),
            high = log(c->node[k + 1]->at.speed), wide = log(c->node[i + 1]->at.speed / c->node[i]->at.speed);
-    totals_between(&c->an->tree, c->node[k - 1], c->node[k + 1], c->node[k]->at.speed, v, other);
+    const struct between n = between(c, k - 1, k + 1);
+    totals_between(&n, c->node[k]->at.speed, v, other);
     wf_totals_read(&c->node[k]->at, at);
     return totals_apart(at, v, c->size) * wide * (high - low) / (4.0 * (middle - low) * (high - middle));
 }
@@ -485,16 +537,33 @@ static bool drawn_between(const struct sloped *c, size_t i)
 {
     const double enough = 3e-3, apart_most = 2e-2;
     const struct wf_node *low = c->node[i], *high = c->node[i + 1];
+    const struct between n = between(c, i, i + 1);
     double v[WF_TOTALS], other[WF_TOTALS];
     if (low->at.status || high->at.status) return low->at.status && high->at.status;
     if (low->at.speed > 0.0 && !(fmax(error_by_node(c, i, i), error_by_node(c, i, i + 1)) <= enough))
         return false;
     for (int k = 1; k < 4; k++) {
         double speed = low->at.speed + 0.25 * k * (high->at.speed - low->at.speed);
-        totals_between(&c->an->tree, low, high, speed, v, other);
+        totals_between(&n, speed, v, other);
         if (!(totals_apart(v, other, c->size) <= apart_most)) return false;
     }
     return true;
+}
+
+/* A speed between two nodes at which the state of the stem, or of the branches, is known, not near either:
+ * half a solution makes it a node. Else that of the row. */
+static double half_solved(const struct sloped *c, const struct wf_solve_options *o, size_t i, double row)
+{
+    const double margin = 0.25;
+    double low = c->node[i]->at.speed, high = c->node[i + 1]->at.speed;
+    for (size_t k = 0; k < wf_nodes_count(c->nodes) && low > 0.0; k++) {
+        const struct wf_node *node = wf_nodes_at(c->nodes, k);
+        double place = log(node->at.speed / low) / log(high / low);
+        if (!node->whole && !node->at.status && node->tolerance == o->mesh_tolerance && place >= margin &&
+            place <= 1.0 - margin)
+            return node->at.speed;
+    }
+    return row;
 }
 
 /* Solve the first two rows and the last, then rows in the middle of what is not known, from the lowest speed
@@ -519,7 +588,7 @@ static enum wf_status refine_sloped(struct sloped *c, const struct wf_solve_opti
             /* a row that was solved and left out, because another node is close, brings nothing new */
             if (row >= 0 && !drawn_between(c, i) &&
                 !wf_nodes_find(c->nodes, an->sweep[row].speed, o->mesh_tolerance))
-                pick[picked++] = an->sweep[row].speed;
+                pick[picked++] = half_solved(c, o, i, an->sweep[row].speed);
         }
         if (!picked) return WF_OK;
     }
@@ -542,7 +611,8 @@ static void fill_sloped(const struct sloped *c, struct wf_at_speed *row)
         wf_totals_write(v, c->an->tallness, row);
         return;
     }
-    totals_between(&c->an->tree, c->node[i], c->node[i + 1], speed, v, other);
+    const struct between n = between(c, i, i + 1);
+    totals_between(&n, speed, v, other);
     wf_totals_write(v, c->an->tallness, row);
 }
 

@@ -47,25 +47,13 @@ static bool is_conifer(const struct wf_species *sp, bool *sheds)
     return false;
 }
 
-/* Diameter of the stem at 1.3 m; NAN: it is lower. */
-static double breast_diameter(const struct wf_tree *t)
-{
-    const double at = 1.3;
-    for (size_t i = 0; i < t->n; i++) {
-        double low = t->z0[i] - t->z0[0], high = t->z1[i] - t->z0[0];
-        if (t->level[i] == 0 && low <= at && at < high)
-            return 2.0 * wf_between(t->r0[i], t->r1[i], (at - low) / (high - low));
-    }
-    return NAN;
-}
-
 static void compare(const struct wf_species *sp, const struct wf_mode_block *b, struct wf_mode_list *out)
 {
     bool sheds;
     out->conifer = is_conifer(sp, &sheds);
     out->line = lines;
     while (out->line->latin && !begins(sp->latin, out->line->latin)) out->line++;
-    out->diameter = breast_diameter(&b->tree);
+    out->diameter = wf_tree_breast(&b->tree).diameter;
     out->height = b->height;
     out->measured = out->line->first + out->line->slope * out->diameter / (out->height * out->height);
 }

@@ -25,6 +25,7 @@ struct wf_mode_block { /* one season in one wind */
     struct wf_sway_modes modes;
 };
 struct wf_mode_list {
+    const char *name_zh; /* of the species; NULL: it has none */
     const struct wf_scenario *scenario; /* of the analysis given */
     size_t blocks;
     struct wf_mode_block *block;

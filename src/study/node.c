@@ -53,14 +53,13 @@ size_t wf_nodes_threads(const struct wf_analysis *an, const struct wf_solve_opti
 
 /* ---- The list ---- */
 
-enum { TRACKS = 2 };
+enum { TRACKS = 3 };
 
-/* Solutions by one mesh tolerance, each from the last. */
+/* Solutions by one mesh tolerance, each from a near one. */
 struct sequence {
-    double tolerance, speed, branches_speed; /* of the last solutions; NAN: none */
+    double tolerance;
     struct wf_solve_options options;
-    struct wf_track *track;    /* at the peak of the load on the tree */
-    struct wf_track *branches; /* and on branches; NULL: the same */
+    struct wf_track *track[WF_NODE_PARTS]; /* of branches NULL: the same */
 };
 
 struct wf_nodes {
@@ -85,7 +84,7 @@ static double processor_seconds(void)
 static void take_still(struct wf_nodes *k)
 {
     for (size_t i = 0; i < k->like->n; i++)
-        if (k->like->node[i].at.speed == 0.0) k->node[k->n++] = k->like->node[i];
+        if (k->like->node[i].at.speed == 0.0 && k->like->node[i].whole) k->node[k->n++] = k->like->node[i];
 }
 
 struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like)
@@ -108,8 +107,7 @@ struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf
 
 static void close_tracks(struct sequence *q)
 {
-    wf_track_close(q->track);
-    wf_track_close(q->branches);
+    for (int part = 0; part < WF_NODE_PARTS; part++) wf_track_close(q->track[part]);
 }
 
 void wf_nodes_close(struct wf_nodes *k)
@@ -140,8 +138,11 @@ struct wf_node *wf_nodes_find(struct wf_nodes *k, double speed, double tolerance
 
 void wf_nodes_add(struct wf_nodes *k, double tolerance, bool used, const struct wf_at_speed *at)
 {
-    if (k->n < WF_NODES_MAX)
-        k->node[k->n++] = (struct wf_node){ .at = *at, .tolerance = tolerance, .used = used };
+    const struct wf_node_state state = { .known = true, .at = *at };
+    if (k->n == WF_NODES_MAX || wf_nodes_find(k, at->speed, tolerance)) return;
+    k->node[k->n++] = (struct wf_node){
+        .at = *at, .tolerance = tolerance, .used = used, .whole = true, .state = { state, state }
+    };
 }
 
 /* ---- Solutions with slopes ---- */
@@ -157,33 +158,35 @@ struct wf_solve_options wf_nodes_quick(const struct wf_solve_options *o)
 
 bool wf_nodes_tracked(const struct wf_analysis *an) { return an->solver->tracked && !an->scenario.shelter; }
 
+static enum wf_status open_sequence(const struct wf_nodes *k, const struct wf_solve_options *o,
+                                    struct sequence *out, struct wf_err *e)
+{
+    const struct sequence *like = NULL;
+    for (int i = 0; k->like && i < TRACKS; i++)
+        if (k->like->sequence[i].track[0] && k->like->sequence[i].tolerance == o->mesh_tolerance)
+            like = &k->like->sequence[i];
+    enum wf_status s = WF_OK;
+    for (int part = 0; part < (wf_peak_branches(k->an->peak) ? WF_NODE_PARTS : 1) && !s; part++)
+        s = wf_track_open(&k->an->tree, &out->options, like ? like->track[part] : NULL, &out->track[part], e);
+    if (!s && k->kin) wf_track_begin_at_last(out->track[0]);
+    return s;
+}
+
 static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_options *o,
                                    struct sequence **out, struct wf_err *e)
 {
     struct sequence *free_one = NULL;
     for (int i = TRACKS; i-- > 0;) {
         *out = &k->sequence[i];
-        if ((*out)->track && (*out)->tolerance == o->mesh_tolerance) return WF_OK;
-        if (!(*out)->track) free_one = *out;
+        if ((*out)->track[0] && (*out)->tolerance == o->mesh_tolerance) return WF_OK;
+        if (!(*out)->track[0]) free_one = *out;
     }
-    if (!(*out = free_one)) { /* a third tolerance takes the place of the first */
+    if (!(*out = free_one)) { /* a further tolerance takes the place of the first */
         *out = &k->sequence[0];
         close_tracks(*out);
     }
-    **out = (struct sequence){
-        .tolerance = o->mesh_tolerance, .speed = NAN, .branches_speed = NAN, .options = *o
-    };
-    const struct sequence *like = NULL;
-    for (int i = 0; k->like && i < TRACKS; i++)
-        if (k->like->sequence[i].track && k->like->sequence[i].tolerance == o->mesh_tolerance)
-            like = &k->like->sequence[i];
-    if (like) (*out)->speed = k->kin ? like->speed : 0.0;
-    if (like) (*out)->branches_speed = 0.0;
-    enum wf_status s =
-        wf_track_open(&k->an->tree, &(*out)->options, like ? like->track : NULL, &(*out)->track, e);
-    if (!s && k->kin) wf_track_begin_at_last((*out)->track);
-    if (s || !wf_peak_branches(k->an->peak)) return s;
-    return wf_track_open(&k->an->tree, &(*out)->options, like ? like->branches : NULL, &(*out)->branches, e);
+    **out = (struct sequence){ .tolerance = o->mesh_tolerance, .options = *o };
+    return open_sequence(k, o, *out, e);
 }
 
 static float single(double x) { return isfinite(x) ? (float)x : 0.0F; }
@@ -198,117 +201,132 @@ static void read_column(const struct wf_tree *t, const struct wf_at_speed *at, i
                                                                       &at->breakage, i, &place);
 }
 
-/* Slopes of totals that are those of a governing row. */
-static void slopes_of_worst(int column, const double *gain, struct wf_node *out)
+/* Is a row one of those that a state is of? */
+static bool holds(const struct wf_analysis *an, enum wf_node_part part, size_t row)
 {
-    int32_t row = out->at.breakage.largest_stress_row;
-    if (column == WF_NODE_STRESS) {
-        out->slope[WF_TOTAL_STRESS] = row < 0 ? NAN : gain[row];
-        return;
-    }
-    for (int s = 0; s < WF_SCOPES; s++) {
-        row = out->at.worst[column][s].row;
-        out->slope[WF_TOTAL_UTILISATION + column * WF_SCOPES + s] = row < 0 ? NAN : gain[row];
-    }
+    return !wf_peak_branches(an->peak) || (an->tree.level[row] > 0) == (part == WF_NODE_BRANCHES);
 }
 
-/* A column, from the answers at the speed and at one a little higher. */
-static enum wf_status read_slope(const struct wf_tree *t, const struct wf_speed_answers *r, int column,
-                                 struct wf_arena *a, struct wf_arena *scratch, struct wf_node *out,
-                                 struct wf_err *e)
+static enum wf_status take_columns(const struct wf_tree *t, struct wf_arena *a, struct wf_node *node,
+                                   struct wf_err *e)
 {
-    struct wf_node_column *to = &out->column[column];
-    double *at = WF_TAKE(scratch, t->n, double), *side = WF_TAKE(scratch, t->n, double);
-    to->value = WF_TAKE(a, t->n, float);
-    to->gain = WF_TAKE(a, t->n, float);
-    if (!at || !side || !to->value || !to->gain)
-        return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
-    read_column(t, &r->at, column, at);
-    for (size_t i = 0; i < t->n; i++) to->value[i] = single(at[i]);
-    if (!(r->step > 0.0)) return WF_OK;
-    read_column(t, &r->side, column, side);
-    for (size_t i = 0; i < t->n; i++) {
-        side[i] = (side[i] - at[i]) / r->step;
-        to->gain[i] = single(side[i]);
+    for (int c = 0; c < WF_NODE_COLUMNS; c++) {
+        struct wf_node_column *to = &node->column[c];
+        bool known = c == WF_NODE_STRESS || wf_criterion_known(&wf_criteria[c], t, WF_SCOPE_TREE);
+        if (!known || to->value) continue;
+        to->value = WF_TAKE(a, t->n, float);
+        to->gain = WF_TAKE(a, t->n, float);
+        if (!to->value || !to->gain)
+            return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
     }
-    slopes_of_worst(column, side, out);
     return WF_OK;
 }
 
-/* Values and slopes, from the answers at the speed and at one a little higher. */
-static enum wf_status read_slopes(const struct wf_tree *t, const struct wf_speed_answers *r,
-                                  struct wf_arena *a, struct wf_arena *scratch, struct wf_node *out,
-                                  struct wf_err *e)
+/* The rows of a state in a column, from the answers at the speed and at one a little higher. */
+static enum wf_status read_rows(const struct wf_analysis *an, enum wf_node_part part,
+                                const struct wf_speed_answers *r, int column, struct wf_arena *scratch,
+                                struct wf_node_column *to, struct wf_err *e)
+{
+    const struct wf_tree *t = &an->tree;
+    double *at = WF_TAKE(scratch, t->n, double), *side = WF_TAKE(scratch, t->n, double);
+    if (!at || !side) return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
+    read_column(t, &r->at, column, at);
+    if (r->step > 0.0) read_column(t, &r->side, column, side);
+    for (size_t i = 0; i < t->n; i++) {
+        if (!holds(an, part, i)) continue;
+        to->value[i] = single(at[i]);
+        to->gain[i] = r->step > 0.0 ? single((side[i] - at[i]) / r->step) : 0.0F;
+    }
+    return WF_OK;
+}
+
+/* Slopes of totals that are those of a governing row, as far as its state is known. */
+static void slopes_of_worst(const struct wf_tree *t, struct wf_node *node)
+{
+    for (int c = 0; c < WF_NODE_COLUMNS; c++)
+        for (int s = 0; s < (c == WF_NODE_STRESS ? 1 : WF_SCOPES); s++) {
+            int total = c == WF_NODE_STRESS ? (int)WF_TOTAL_STRESS : WF_TOTAL_UTILISATION + c * WF_SCOPES + s;
+            int32_t row =
+                c == WF_NODE_STRESS ? node->at.breakage.largest_stress_row : node->at.worst[c][s].row;
+            node->slope[total] = NAN;
+            if (row < 0 || !node->column[c].gain) continue;
+            if (node->state[t->level[row] > 0 ? WF_NODE_BRANCHES : WF_NODE_STEM].sloped)
+                node->slope[total] = (double)node->column[c].gain[row];
+        }
+}
+
+/* The largest stress of a state is that of its own rows. */
+static void own_stress(const struct wf_analysis *an, enum wf_node_part part, struct wf_breakage *b)
+{
+    b->largest_stress = 0.0;
+    b->largest_stress_row = -1;
+    for (size_t i = 0; i < an->tree.n; i++)
+        if (holds(an, part, i) && (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress))
+            b->largest_stress = b->peak[i], b->largest_stress_row = (int32_t)i;
+}
+
+/* The node of what is known now. */
+static void join(const struct wf_analysis *an, struct wf_node *node)
+{
+    const struct wf_node_state *stem = &node->state[WF_NODE_STEM], *branches = &node->state[WF_NODE_BRANCHES];
+    node->whole = stem->known && branches->known;
+    node->sloped = stem->sloped && branches->sloped;
+    node->at = stem->known ? stem->at : branches->at;
+    if (node->whole && wf_peak_branches(an->peak)) wf_speed_take_branches(an, &branches->at, &node->at);
+    slopes_of_worst(&an->tree, node);
+}
+
+/* Values and slopes of a state, from the answers at the speed and at one a little higher. */
+static enum wf_status read_state(struct wf_nodes *k, enum wf_node_part part, struct wf_speed_answers *r,
+                                 struct wf_arena *scratch, struct wf_node *node, struct wf_err *e)
 {
     double v[2][WF_TOTALS];
-    enum wf_status s = WF_OK;
-    out->sloped = r->step > 0.0 || r->at.speed == 0.0;
-    if (r->step > 0.0) {
+    enum wf_status s = take_columns(&k->an->tree, &k->arena, node, e);
+    for (int c = 0; c < WF_NODE_COLUMNS && !s; c++)
+        if (node->column[c].value) s = read_rows(k->an, part, r, c, scratch, &node->column[c], e);
+    if (s) return s;
+    if (part == WF_NODE_STEM && r->step > 0.0) {
         wf_totals_read(&r->at, v[0]);
         wf_totals_read(&r->side, v[1]);
-        for (int q = 0; q < WF_TOTALS; q++) out->slope[q] = (v[1][q] - v[0][q]) / r->step;
+        for (int q = 0; q < WF_TOTAL_STRESS; q++) node->slope[q] = (v[1][q] - v[0][q]) / r->step;
+        const double *at = r->at.response.base_moment, *side = r->side.response.base_moment;
+        for (int q = 0; q < 2; q++) node->turning[q] = (side[q] - at[q]) / r->step;
     }
-    for (int c = 0; c < WF_NODE_COLUMNS && !s; c++)
-        if (c == WF_NODE_STRESS || wf_criterion_known(&wf_criteria[c], t, WF_SCOPE_TREE))
-            s = read_slope(t, r, c, a, scratch, out, e);
-    return s;
-}
-
-/* The track of another sequence, of stem or branches, whose last speed is near; NULL: none. */
-static const struct wf_track *other_near(const struct wf_nodes *k, const struct sequence *q, double speed,
-                                         bool branches)
-{
-    const double near = 0.2;
-    for (int i = 0; i < TRACKS; i++) {
-        const struct sequence *other = &k->sequence[i];
-        double last = branches ? other->branches_speed : other->speed;
-        if (other != q && other->track && fabs(last - speed) <= near * speed)
-            return branches ? other->branches : other->track;
-    }
-    return NULL;
-}
-
-static enum wf_status solve_state(const struct wf_nodes *k, struct sequence *q, enum wf_part part,
-                                  double speed, struct wf_arena *a, struct wf_speed_answers *out,
-                                  struct wf_err *e)
-{
-    bool branches = part == WF_PART_BRANCHES;
-    double *last = branches ? &q->branches_speed : &q->speed;
-    enum wf_status s = wf_speed_track(k->an, part, branches ? q->branches : q->track, *last, speed,
-                                      other_near(k, q, speed, branches), a, out, e);
-    if (!s) *last = out->at.status ? NAN : speed;
-    return s;
-}
-
-/* Stem and branches at a speed, each at the peak of its load; or the stem alone. */
-static enum wf_status solve_states(const struct wf_nodes *k, struct sequence *q, double speed, bool stem,
-                                   struct wf_arena *a, struct wf_speed_answers *out, struct wf_err *e)
-{
-    struct wf_speed_answers branches;
-    enum wf_status s = solve_state(k, q, WF_PART_STEM, speed, a, out, e);
-    if (s || stem || !q->branches || out->at.status) return s;
-    s = solve_state(k, q, WF_PART_BRANCHES, speed, a, &branches, e);
-    if (s) return s;
-    out->irregular = out->irregular || branches.irregular;
-    if (!(branches.step > 0.0)) out->step = 0.0;
-    wf_speed_take_branches(k->an, &branches.at, &out->at);
-    if (out->step > 0.0) wf_speed_take_branches(k->an, &branches.side, &out->side);
+    own_stress(k->an, part, &r->at.breakage);
     return WF_OK;
 }
 
-static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double speed, bool stem,
-                                 struct wf_node *out, struct wf_err *e)
+/* The track of the coarsest other sequence, which has solutions at most speeds; NULL: none. */
+static struct wf_track *other_track(const struct wf_nodes *k, const struct sequence *q,
+                                    enum wf_node_part part)
 {
+    const struct sequence *out = NULL;
+    for (int i = 0; i < TRACKS; i++) {
+        const struct sequence *other = &k->sequence[i];
+        if (other != q && other->track[part] && (!out || other->tolerance > out->tolerance)) out = other;
+    }
+    return out ? out->track[part] : NULL;
+}
+
+static enum wf_status solve_state(struct wf_nodes *k, struct sequence *q, enum wf_node_part part,
+                                  double speed, struct wf_node *node, struct wf_err *e)
+{
+    static const enum wf_part load[] = { WF_PART_STEM, WF_PART_BRANCHES };
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
-    *out = (struct wf_node){ .tolerance = q->tolerance, .used = true };
-    enum wf_status s = solve_states(k, q, speed, stem, &scratch, &r, e);
+    struct wf_node_state *to = &node->state[part];
+    enum wf_status s =
+        wf_speed_track(k->an, load[part], q->track[part], speed, other_track(k, q, part), &scratch, &r, e);
     wf_stage_step(1);
+    if (!s && !r.at.status) s = read_state(k, part, &r, &scratch, node, e);
     if (!s) {
-        out->at = r.at;
-        out->irregular = r.irregular;
-        if (!r.at.status) s = read_slopes(&k->an->tree, &r, &k->arena, &scratch, out, e);
-        wf_speed_drop_columns(&out->at);
+        wf_speed_drop_columns(&r.at);
+        *to = (struct wf_node_state){
+            .known = true, .sloped = r.step > 0.0 || speed == 0.0, .irregular = r.irregular, .at = r.at
+        };
+        to->sloped = to->sloped && !r.at.status;
+        if (!q->track[WF_NODE_BRANCHES]) node->state[WF_NODE_BRANCHES] = *to;
+        join(k->an, node);
     }
     wf_arena_free(&scratch);
     return s;
@@ -322,39 +340,44 @@ enum wf_status wf_nodes_ready(struct wf_nodes *k, struct wf_err *e)
     return k->late ? wf_fail(e, WF_EINTERNAL, "the time of the search is used up") : WF_OK;
 }
 
-enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
-                              const struct wf_node **out, struct wf_err *e)
+static bool lacks(const struct wf_node_state *s) { return !s->known || !(s->sloped || s->at.status); }
+
+/* The node at a speed, one without states where there is none yet. */
+static enum wf_status place_node(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                                 struct wf_node **out, struct wf_err *e)
 {
-    struct sequence *q = NULL;
-    struct wf_node node, *found = wf_nodes_find(k, speed, o->mesh_tolerance);
-    if (found && (found->sloped || found->at.status)) {
-        found->used = true;
-        *out = found;
-        return WF_OK;
-    }
-    enum wf_status s = wf_nodes_ready(k, e);
-    if (!s && !found && k->n == WF_NODES_MAX)
-        s = wf_fail(e, WF_EINTERNAL, "too many wind speeds were solved");
-    if (!s) s = sequence_for(k, o, &q, e);
-    if (!s) s = solve_node(k, q, speed, false, &node, e);
-    if (s) return s;
-    if (!found) found = &k->node[k->n++];
-    *found = node;
-    *out = found;
+    *out = wf_nodes_find(k, speed, o->mesh_tolerance);
+    if (*out) return WF_OK;
+    if (k->n == WF_NODES_MAX) return wf_fail(e, WF_EINTERNAL, "too many wind speeds were solved");
+    *out = &k->node[k->n];
+    **out = (struct wf_node){ .at.speed = speed, .tolerance = o->mesh_tolerance };
     return WF_OK;
 }
 
-enum wf_status wf_nodes_solve_stem(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
-                                   struct wf_node *out, struct wf_err *e)
+enum wf_status wf_nodes_solve_part(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                                   enum wf_node_part part, const struct wf_node **out, struct wf_err *e)
 {
     struct sequence *q = NULL;
-    const struct wf_node *found = wf_nodes_find(k, speed, o->mesh_tolerance);
-    if (!found && wf_peak_branches(k->an->peak)) {
-        enum wf_status s = wf_nodes_ready(k, e);
+    struct wf_node *node;
+    enum wf_status s = place_node(k, o, speed, &node, e);
+    if (!wf_peak_branches(k->an->peak)) part = WF_NODE_STEM;
+    if (!s && lacks(&node->state[part])) {
+        s = wf_nodes_ready(k, e);
         if (!s) s = sequence_for(k, o, &q, e);
-        return s ? s : solve_node(k, q, speed, true, out, e);
+        if (!s) s = solve_state(k, q, part, speed, node, e);
     }
-    enum wf_status s = wf_nodes_solve(k, o, speed, &found, e);
-    if (!s) *out = *found;
-    return s;
+    if (s) return s;
+    if (node == &k->node[k->n]) k->n++;
+    node->used = true;
+    *out = node;
+    return WF_OK;
+}
+
+enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                              const struct wf_node **out, struct wf_err *e)
+{
+    enum wf_status s = wf_nodes_solve_part(k, o, speed, WF_NODE_STEM, out, e);
+    /* the tree has no state: that of its branches says no more */
+    if (s || (*out)->state[WF_NODE_STEM].at.status) return s;
+    return wf_nodes_solve_part(k, o, speed, WF_NODE_BRANCHES, out, e);
 }

@@ -37,14 +37,27 @@ struct wf_node_column {
     float *value, *gain;
 };
 
+/* The two states of a node: at the peak of the load on the tree, of which stem, root and totals are taken,
+ * and at that of branches. They are one where branches have no peak of their own. */
+enum wf_node_part { WF_NODE_STEM, WF_NODE_BRANCHES, WF_NODE_PARTS };
+
+struct wf_node_state {
+    bool known;
+    bool sloped;           /* also the slopes of its totals and of its rows' columns */
+    bool irregular;        /* small parts are not stable or have snapped */
+    struct wf_at_speed at; /* totals, and worst places of all rows in this state */
+};
+
 struct wf_node {
-    struct wf_at_speed at;
+    struct wf_at_speed at;   /* of the whole tree; while not `whole`, of the state that is known */
     double tolerance;        /* of the mesh */
     bool used;               /* by a search; others were solved ahead, as many as there are threads */
-    bool sloped;             /* what follows is known */
-    bool irregular;          /* small parts are not stable or have snapped */
-    double slope[WF_TOTALS]; /* d total / d speed */
-    struct wf_node_column column[WF_NODE_COLUMNS];
+    bool whole;              /* both states are known */
+    bool sloped;             /* and so are all slopes */
+    double slope[WF_TOTALS]; /* d total / d speed; NAN: of a state that is not known */
+    double turning[2];       /* d (moment on the ground about x, y) / d speed [N m s/m] */
+    struct wf_node_column column[WF_NODE_COLUMNS]; /* rows of a state that is not known: 0 */
+    struct wf_node_state state[WF_NODE_PARTS];
 };
 
 struct wf_nodes;
@@ -65,9 +78,9 @@ size_t wf_nodes_count(const struct wf_nodes *k);
 const struct wf_node *wf_nodes_at(const struct wf_nodes *k, size_t i);
 /* Can another be solved? Errors: WF_EINTERRUPTED; WF_EINTERNAL with wf_nodes_late. */
 enum wf_status wf_nodes_ready(struct wf_nodes *k, struct wf_err *e);
-/* The node at a speed, by a mesh tolerance; NULL: none. */
+/* The node at a speed, by a mesh tolerance, whole or not; NULL: none. */
 struct wf_node *wf_nodes_find(struct wf_nodes *k, double speed, double tolerance);
-/* Add a solution without slopes; nothing is done where there is no room. */
+/* Add a solution without slopes; nothing is done where there is no room or a node already. */
 void wf_nodes_add(struct wf_nodes *k, double tolerance, bool used, const struct wf_at_speed *at);
 
 /* Number of threads that may solve the tree at the same time. */
@@ -75,15 +88,14 @@ size_t wf_nodes_threads(const struct wf_analysis *an, const struct wf_solve_opti
 /* Can nodes have slopes: does the analysis use a solver that can be tracked, on loads that depend on the wind
  * speed alone? */
 bool wf_nodes_tracked(const struct wf_analysis *an);
-/* The node at a speed with slopes, solved where it is not known, from the last solution of this tolerance.
+/* The node at a speed with slopes, solved where it is not known, from the nearest solution of this tolerance.
  * Errors: as wf_speed_totals; WF_EINTERRUPTED; WF_EINTERNAL with wf_nodes_late where the time is used up. */
 enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
                               const struct wf_node **out, struct wf_err *e);
 
-/* The same for the stem alone: where branches have a peak of their own they are not solved, and the node is
- * not kept; it says nothing about them. */
-enum wf_status wf_nodes_solve_stem(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
-                                   struct wf_node *out, struct wf_err *e);
+/* The same for one state: the other need not be known. */
+enum wf_status wf_nodes_solve_part(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                                   enum wf_node_part part, const struct wf_node **out, struct wf_err *e);
 
 #ifdef __cplusplus
 }

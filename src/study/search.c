@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Critical wind speeds of an analysis, by criterion and part of the tree; declared in analysis.h. */
+#include "base/num.h"
 #include "base/parallel.h"
 #include "fail/crossing.h"
 #include "study/analysis.h"
 #include "study/node.h"
+#include "study/verdict.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -16,16 +18,37 @@ struct search {
     enum wf_scope scope;
     struct wf_nodes *nodes;
     double speed_max; /* [m/s] */
-    double enough;    /* crossings above are of no interest [m/s]; INFINITY: all are */
+    struct wf_break *out;
+    /* of those by values and slopes, which go on together */
+    enum wf_crossing_next next;
+    double wanted; /* the speed to be solved next [m/s] */
+    size_t items;
+    size_t *item; /* rows */
 };
+
+static enum wf_node_part part_of(const struct search *q)
+{
+    return q->scope == WF_SCOPE_BRANCHES ? WF_NODE_BRANCHES : WF_NODE_STEM;
+}
+
+static const struct wf_at_speed *state_of(const struct search *q, const struct wf_node *node)
+{
+    return q->scope == WF_SCOPE_TREE ? &node->at : &node->state[part_of(q)].at;
+}
+
+/* Is what the search looks at known at a node? */
+static bool knows(const struct search *q, const struct wf_node *node)
+{
+    return q->scope == WF_SCOPE_TREE ? node->whole : node->state[part_of(q)].known;
+}
 
 static enum wf_status search_totals(const struct search *q, double speed, struct wf_at_speed *at,
                                     struct wf_err *e)
 {
     struct wf_node *known = wf_nodes_find(q->nodes, speed, q->o->mesh_tolerance);
-    if (known) {
+    if (known && knows(q, known)) {
         known->used = true;
-        *at = known->at;
+        *at = *state_of(q, known);
         return WF_OK;
     }
     enum wf_status s = wf_nodes_ready(q->nodes, e);
@@ -75,48 +98,68 @@ static void move_totals(const struct search *q, const struct wf_node *node, doub
     *at = moved;
 }
 
-/* Newton's step to the lowest crossing: that of the governing row, unless another row reaches 1 before. */
+/* The step to where a utilisation reaches 1, which follows a power of the speed closely. */
+static double power_step(double speed, double value, double slope)
+{
+    return speed * expm1(-log(value) * value / (slope * speed));
+}
+
+/* Step to the lowest crossing: that of the governing row, unless another row reaches 1 before. */
 static double step_to_crossing(const struct search *q, const struct wf_node *node, double *slope)
 {
     const struct wf_node_column *column = &node->column[q->criterion];
-    double excess = 1.0 / safety(q, &node->at) - 1.0, step;
-    *slope = node->slope[WF_TOTAL_UTILISATION + (int)q->criterion * WF_SCOPES + (int)q->scope];
-    step = -excess / *slope;
+    const int32_t row = state_of(q, node)->worst[q->criterion][q->scope].row;
+    double value = 1.0 / safety(q, state_of(q, node)), first;
+    *slope = row < 0 ? 0.0 : (double)column->gain[row];
+    if (!(*slope > 0.0)) return NAN;
+    first = (1.0 - value) / *slope;
     for (size_t i = 0; i < q->an->tree.n; i++) {
-        double value = (double)column->value[i], gain = (double)column->gain[i];
-        double own = (1.0 - value) / gain;
-        if (!(gain > 0.0 && own < step - 1e-7 * node->at.speed) || !wf_scope_holds(q->scope, &q->an->tree, i))
+        double at = (double)column->value[i], gain = (double)column->gain[i];
+        double own = (1.0 - at) / gain;
+        if (!(gain > 0.0 && own < first - 1e-7 * node->at.speed) ||
+            !wf_scope_holds(q->scope, &q->an->tree, i))
             continue;
-        step = own, *slope = gain;
+        first = own, value = at, *slope = gain;
     }
-    return step;
+    return power_step(node->at.speed, value, *slope);
 }
 
-/* Refine the critical speed found on a coarse mesh to the mesh tolerance of the options by Newton's method.
- * Returned: c->speed, and *at, the totals there; after the last step by the slopes, with errors of the square
- * of the step. */
-static enum wf_status polish_sloped(const struct search *q, struct wf_critical *c, struct wf_at_speed *at,
-                                    struct wf_err *e)
+/* The node of this mesh from which the crossing is taken: a very near one that is known, for another
+ * criterion, or that at the speed. */
+static enum wf_status node_near(const struct search *q, double speed, const struct wf_node **out,
+                                struct wf_err *e)
 {
-    const double near = 2e-4; /* of the resistance */
+    const double near = 3e-4;
+    for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
+        const struct wf_node *node = wf_nodes_at(q->nodes, i);
+        if (node->tolerance != q->o->mesh_tolerance || !node->state[part_of(q)].sloped) continue;
+        if (fabs(node->at.speed - speed) > near * speed) continue;
+        *out = node;
+        return WF_OK;
+    }
+    return wf_nodes_solve_part(q->nodes, q->o, speed, part_of(q), out, e);
+}
+
+/* Refine the critical speed found on a coarse mesh to the mesh tolerance of the options by Newton's method in
+ * logarithms. Returned: c->speed, and the node it was taken from, with *step from it, the errors of which are
+ * those of a power law over so short a step; *step NAN: none was taken. */
+static enum wf_status polish_sloped(const struct search *q, struct wf_critical *c,
+                                    const struct wf_node **node, double *step, struct wf_err *e)
+{
+    const double near = 5e-4; /* of the resistance */
     for (int k = 0;; k++) {
-        struct wf_node stem;
-        const struct wf_node *node = &stem;
-        enum wf_status s = q->scope == WF_SCOPE_STEM ? wf_nodes_solve_stem(q->nodes, q->o, c->speed, &stem, e)
-                                                     : wf_nodes_solve(q->nodes, q->o, c->speed, &node, e);
+        enum wf_status s = node_near(q, c->speed, node, e);
         c->evaluations++;
-        if (s) return s;
-        *at = node->at;
-        if (at->status) return WF_OK;
-        double slope, step = step_to_crossing(q, node, &slope);
+        *step = NAN;
+        if (s || state_of(q, *node)->status) return s;
+        double slope, next = step_to_crossing(q, *node, &slope);
         if (!(slope > 0.0)) return WF_OK;
         c->gradient = slope;
-        if (!(fabs(step) < 0.02 * c->speed)) return WF_OK;
-        c->speed_low = c->speed - fabs(step), c->speed_high = c->speed + fabs(step);
-        c->speed += step;
-        if (fabs(step * slope) > near && k < 4) continue;
-        move_totals(q, node, step, at);
-        return WF_OK;
+        if (!(fabs(next) < 0.02 * c->speed)) return WF_OK;
+        c->speed = (*node)->at.speed + next;
+        c->speed_low = c->speed - fabs(next), c->speed_high = c->speed + fabs(next);
+        *step = next;
+        if (fabs(next * slope) <= near || k == 4) return WF_OK;
     }
 }
 
@@ -170,8 +213,8 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
         for (; k <= rungs && n < threads; k++) {
             double speed = wf_critical_rung(q->speed_max, k);
             const struct wf_node *known = wf_nodes_find(q->nodes, speed, q->o->mesh_tolerance);
-            if (known)
-                fell = fell || falls(q, &known->at);
+            if (known && knows(q, known))
+                fell = fell || falls(q, state_of(q, known));
             else
                 b->speed[n++] = speed;
         }
@@ -213,13 +256,70 @@ static void bracket(const struct search *q, struct wf_critical *c)
 {
     *c = (struct wf_critical){ WF_CRITICAL_UNSEARCHED, NAN, 0.0, q->speed_max, NAN, 0 };
     for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
-        const struct wf_at_speed *at = &wf_nodes_at(q->nodes, i)->at;
-        if (falls(q, at)) c->speed_high = fmin(c->speed_high, at->speed);
+        const struct wf_node *node = wf_nodes_at(q->nodes, i);
+        if (knows(q, node) && falls(q, state_of(q, node)))
+            c->speed_high = fmin(c->speed_high, node->at.speed);
     }
     for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
-        const struct wf_at_speed *at = &wf_nodes_at(q->nodes, i)->at;
-        if (at->speed < c->speed_high && !falls(q, at)) c->speed_low = fmax(c->speed_low, at->speed);
+        const struct wf_node *node = wf_nodes_at(q->nodes, i);
+        if (!knows(q, node) || falls(q, state_of(q, node))) continue;
+        if (node->at.speed < c->speed_high) c->speed_low = fmax(c->speed_low, node->at.speed);
     }
+}
+
+static const struct wf_break nothing = { .at = { .speed = NAN }, .row = -1, .height = NAN };
+
+/* Is there something to be searched? Else the result says why not. */
+static bool begin_search(struct search *q)
+{
+    *q->out = nothing;
+    q->speed_max = search_top(q);
+    if (wf_criterion_known(&wf_criteria[q->criterion], &q->an->tree, q->scope)) return true;
+    q->out->critical =
+        (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
+    return false;
+}
+
+/* A search ended by an error: where its time was used up, what is known so far is the result. */
+static enum wf_status end_search(const struct search *q, enum wf_status s, const struct wf_err *why,
+                                 struct wf_err *e)
+{
+    if (!s) return WF_OK;
+    if (!wf_nodes_late(q->nodes)) return wf_fail(e, s, "%s", why->text);
+    *q->out = nothing;
+    bracket(q, &q->out->critical);
+    return WF_OK;
+}
+
+static bool reached(const struct wf_critical *c)
+{
+    return c->outcome == WF_CRITICAL_FOUND || c->outcome == WF_CRITICAL_SELF_WEIGHT;
+}
+
+/* ---- By steps ---- */
+
+static enum wf_status crossing_by_steps(struct search *q, struct wf_err *e)
+{
+    enum wf_status s = climb(q, e);
+    return s ? s : wf_critical_search(utilisation, q, q->speed_max, 1e-4, &q->out->critical, e);
+}
+
+static enum wf_status search_by_steps(struct search *q, const struct wf_solve_options *quick,
+                                      const struct wf_solve_options *fine, struct wf_err *e)
+{
+    struct wf_critical *c = &q->out->critical;
+    struct wf_at_speed at;
+    q->o = quick;
+    enum wf_status s = crossing_by_steps(q, e);
+    if (s || !reached(c)) return s;
+    q->o = fine;
+    bool found = c->outcome == WF_CRITICAL_FOUND;
+    s = found ? polish(q, c, &at, e) : search_totals(q, 0.0, &at, e);
+    const struct wf_worst *worst = &at.worst[q->criterion][q->scope];
+    if (s || at.status || worst->row < 0) return s;
+    if (found) q->out->at = at;
+    place_at(&q->an->tree, worst, q->out);
+    return WF_OK;
 }
 
 /* ---- By values and slopes ---- */
@@ -239,124 +339,182 @@ static size_t gather(const struct search *q, struct wf_crossing_node *out)
     size_t n = 0;
     for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
         const struct wf_node *node = wf_nodes_at(q->nodes, i);
-        if (node->tolerance != q->o->mesh_tolerance || !(node->sloped || node->at.status)) continue;
+        const struct wf_node_state *state = &node->state[part_of(q)];
+        if (node->tolerance != q->o->mesh_tolerance || !(state->sloped || state->at.status)) continue;
         if (node->at.speed > q->speed_max) continue;
-        bool solved = !node->at.status;
+        bool solved = !state->at.status;
         out[n++] = (struct wf_crossing_node){ node->at.speed, solved, 1.0,
                                               solved ? node->column[q->criterion].value : NULL,
                                               solved ? node->column[q->criterion].gain : NULL };
-        if (node->irregular) out[n - 1].trusted = q->scope == WF_SCOPE_STEM ? loose_stem : loose;
+        if (state->irregular) out[n - 1].trusted = q->scope == WF_SCOPE_STEM ? loose_stem : loose;
     }
     qsort(out, n, sizeof *out, by_speed);
     return n;
 }
 
-static size_t rows_of(const struct search *q, size_t *item)
+static enum wf_status take_rows(struct search *q, struct wf_arena *scratch, struct wf_err *e)
 {
-    size_t n = 0;
+    if (!(q->item = WF_TAKE(scratch, q->an->tree.n, size_t)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
     for (size_t i = 0; i < q->an->tree.n; i++)
         if (wf_scope_holds(q->scope, &q->an->tree, i) &&
             wf_criterion_knows(&wf_criteria[q->criterion], &q->an->tree, i))
-            item[n++] = i;
-    return n;
+            q->item[q->items++] = i;
+    return WF_OK;
 }
 
-/* The search by wf_crossing_step, from speed 0 and the given speeds. Returned: *next, FOUND with c->speed and
- * c->gradient on the mesh of the options; ABOVE; LOST where the steps of wf_critical_search are needed. */
-static enum wf_status descend(const struct search *q, enum wf_crossing_next *next, struct wf_critical *c,
-                              struct wf_arena *scratch, struct wf_err *e)
+/* What the nodes say of a search: its end, or the speed it wants. */
+static void look(struct search *q, struct wf_crossing_node *all)
 {
-    const double tolerance = 2e-4;
-    const struct wf_node *node;
+    const double tolerance = 2e-3; /* what is left is for the finer mesh */
     struct wf_crossing at;
-    size_t *item = WF_TAKE(scratch, q->an->tree.n, size_t);
-    struct wf_crossing_node *all = WF_TAKE(scratch, WF_NODES_MAX, struct wf_crossing_node);
-    if (!item || !all) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
-    size_t items = rows_of(q, item);
-    enum wf_status s = wf_nodes_solve(q->nodes, q->o, 0.0, &node, e);
-    double first = q->an->at ? q->an->at[0].speed : 0.0;
-    if (!s && !falls(q, &node->at) && first > 0.0 && first <= q->speed_max)
-        s = wf_nodes_solve(q->nodes, q->o, first, &node, e);
-    *next = WF_CROSSING_LOST;
+    size_t n = gather(q, all);
+    q->next = wf_crossing_step(all, n, q->item, q->items, q->speed_max, tolerance, &at);
+    q->wanted = at.speed;
+    q->out->critical = (struct wf_critical){ WF_CRITICAL_ABOVE, NAN, at.low, at.high, NAN, n };
+    if (q->next != WF_CROSSING_FOUND) return;
+    q->out->critical.outcome = WF_CRITICAL_FOUND;
+    q->out->critical.speed = at.speed, q->out->critical.gradient = at.gradient;
+}
+
+/* The searches of one part of the tree by wf_crossing_step, from speed 0 and the first given speed. Of the
+ * speeds that they want the lowest is solved next, so that solutions start near others, and it serves all.
+ * Returned: in each, `next`: FOUND, ABOVE, or LOST where the steps of wf_critical_search are needed. */
+static enum wf_status descend(struct search *list, size_t n, struct wf_err *e)
+{
+    const struct wf_node *node;
+    const struct search *q = list;
+    const double first = q->an->at ? q->an->at[0].speed : 0.0;
+    struct wf_arena scratch = { 0 };
+    struct wf_crossing_node *all = WF_TAKE(&scratch, WF_NODES_MAX, struct wf_crossing_node);
+    enum wf_status s =
+        all ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    for (size_t i = 0; i < n && !s; i++) s = take_rows(&list[i], &scratch, e);
+    if (!s) s = wf_nodes_solve_part(q->nodes, q->o, 0.0, part_of(q), &node, e);
+    if (!s && !state_of(q, node)->status && first > 0.0 && first <= q->speed_max)
+        s = wf_nodes_solve_part(q->nodes, q->o, first, part_of(q), &node, e);
     for (int k = 0; k < DESCENT_MAX && !s; k++) {
-        *next = wf_crossing_step(all, gather(q, all), item, items, q->speed_max, tolerance, &at);
-        *c = (struct wf_critical){ WF_CRITICAL_ABOVE, NAN, at.low, at.high, NAN, (size_t)k };
-        if (*next == WF_CROSSING_FOUND)
-            c->outcome = WF_CRITICAL_FOUND, c->speed = at.speed, c->gradient = at.gradient;
-        if (*next != WF_CROSSING_SOLVE) return WF_OK;
-        s = wf_nodes_solve(q->nodes, q->o, at.speed, &node, e);
-        *next = WF_CROSSING_LOST;
+        double lowest = INFINITY;
+        for (size_t i = 0; i < n; i++) {
+            look(&list[i], all);
+            if (list[i].next == WF_CROSSING_SOLVE) lowest = fmin(lowest, list[i].wanted);
+        }
+        if (isinf(lowest)) break;
+        s = wf_nodes_solve_part(q->nodes, q->o, lowest, part_of(q), &node, e);
     }
+    for (size_t i = 0; i < n; i++)
+        if (list[i].next == WF_CROSSING_SOLVE) list[i].next = WF_CROSSING_LOST;
+    wf_arena_free(&scratch);
     return s;
 }
 
-/* The search itself: by slopes where the solver gives them and the curves are smooth, else by steps. */
-static enum wf_status search_crossing(struct search *q, struct wf_critical *c, struct wf_err *e)
+/* Totals at the critical speed. Where branches have a peak of their own, a node of theirs has no totals of
+ * the tree: those of breakage are solved on the same mesh, of other criteria on that of the search. */
+static enum wf_status totals_there(const struct search *q, const struct wf_solve_options *quick,
+                                   const struct wf_node *node, double step, struct wf_err *e)
 {
-    enum wf_crossing_next next = WF_CROSSING_LOST;
-    struct wf_arena scratch = { 0 };
-    enum wf_status s = wf_nodes_tracked(q->an) ? descend(q, &next, c, &scratch, e) : WF_OK;
-    wf_arena_free(&scratch);
-    if (s || next != WF_CROSSING_LOST) return s;
-    s = climb(q, e);
-    return s ? s : wf_critical_search(utilisation, q, q->speed_max, 1e-4, c, e);
-}
-
-/* The result at its end. */
-static enum wf_status search_break(struct search *search, const struct wf_solve_options *quick,
-                                   const struct wf_solve_options *fine, struct wf_break *out,
-                                   struct wf_err *e)
-{
-    struct wf_critical *c = &out->critical;
-    struct wf_at_speed at;
-    search->o = quick;
-    enum wf_status s = search_crossing(search, c, e);
-    if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
-    search->o = fine;
-    if (c->outcome == WF_CRITICAL_FOUND && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
-    if (c->outcome != WF_CRITICAL_FOUND)
-        s = search_totals(search, 0.0, &at, e);
-    else if (wf_nodes_tracked(search->an))
-        s = polish_sloped(search, c, &at, e);
-    else
-        s = polish(search, c, &at, e);
-    const struct wf_worst *worst = &at.worst[search->criterion][search->scope];
-    if (s || at.status || worst->row < 0) return s;
-    if (c->outcome == WF_CRITICAL_FOUND) out->at = at;
-    place_at(&search->an->tree, worst, out);
-    return WF_OK;
-}
-
-static enum wf_status find_break(struct search search, struct wf_break *out, struct wf_err *e)
-{
-    const struct wf_solve_options *fine = search.o;
-    struct wf_solve_options quick = wf_nodes_quick(fine);
-    struct wf_err why = { 0 };
-    const struct wf_break nothing = { .at = { .speed = NAN }, .row = -1, .height = NAN };
-    *out = nothing;
-    if (!wf_criterion_known(&wf_criteria[search.criterion], &search.an->tree, search.scope)) {
-        out->critical =
-            (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
-        return WF_OK;
+    struct wf_break *out = q->out;
+    enum wf_status s = WF_OK;
+    const struct wf_node *stem = node;
+    if (!node->state[WF_NODE_STEM].known) {
+        const struct wf_solve_options *o = q->criterion == WF_BREAKAGE ? q->o : quick;
+        s = wf_nodes_solve_part(q->nodes, o, node->at.speed, WF_NODE_STEM, &stem, e);
     }
-    if (search.an->search.bare && fine->mesh_tolerance == 0.0) quick.mesh_tolerance = 0.0;
-    search.speed_max = fmin(search_top(&search), search.enough);
-    enum wf_status s = search_break(&search, &quick, fine, out, &why);
-    if (!s) return WF_OK;
-    if (!wf_nodes_late(search.nodes)) return wf_fail(e, s, "%s", why.text);
-    *out = nothing;
-    bracket(&search, &out->critical);
+    if (s || stem->at.status) return s;
+    move_totals(q, stem, step, &out->at);
     return WF_OK;
+}
+
+/* Is the stem's crossing on a mesh ten times as coarse as specified good enough? Its errors are loads summed
+ * over all branches: it moves with the tolerance of the mesh or faster, and by what it moved from the mesh of
+ * the search the rest is bounded. */
+static bool settled(const struct search *q, const struct wf_solve_options *quick,
+                    const struct wf_solve_options *fine, double before, double now)
+{
+    double left = fabs(now - before) * q->o->mesh_tolerance / (quick->mesh_tolerance - q->o->mesh_tolerance);
+    return left <= fine->mesh_tolerance * now;
+}
+
+/* A search that is through: the crossing on the specified mesh, the place, the totals there. */
+static enum wf_status finish(struct search *q, const struct wf_solve_options *quick,
+                             const struct wf_solve_options *fine, struct wf_err *e)
+{
+    const double coarser = 10.0;
+    struct wf_critical *c = &q->out->critical;
+    struct wf_solve_options between = *fine;
+    const struct wf_node *node;
+    double step = 0.0, before = c->speed;
+    between.mesh_tolerance *= coarser;
+    bool between_first =
+        q->scope == WF_SCOPE_STEM && coarser * between.mesh_tolerance <= quick->mesh_tolerance;
+    if (q->an->search.bare && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
+    q->o = between_first ? &between : fine;
+    enum wf_status s = polish_sloped(q, c, &node, &step, e);
+    if (!s && between_first && !settled(q, quick, fine, before, c->speed)) {
+        q->o = fine;
+        s = polish_sloped(q, c, &node, &step, e);
+    }
+    if (s || state_of(q, node)->status) return s;
+    const struct wf_worst *worst = &state_of(q, node)->worst[q->criterion][q->scope];
+    if (worst->row < 0) return WF_OK;
+    place_at(&q->an->tree, worst, q->out);
+    return totals_there(q, quick, node, isnan(step) ? 0.0 : step, e);
+}
+
+static int by_critical(const void *a, const void *b)
+{
+    const struct search *x = *(const struct search *const *)a, *y = *(const struct search *const *)b;
+    const double p = x->out->critical.speed, q = y->out->critical.speed;
+    return p != q ? (p > q) - (p < q) : (x > y) - (x < y);
+}
+
+/* All criteria in one part of the tree. */
+static enum wf_status search_part(struct search *list, size_t n, const struct wf_solve_options *quick,
+                                  const struct wf_solve_options *fine, struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    struct search *order[WF_CRITERIA];
+    size_t found = 0;
+    for (size_t i = 0; i < n; i++) list[i].o = quick;
+    enum wf_status s = n ? descend(list, n, &why) : WF_OK;
+    for (size_t i = 0; i < n; i++) {
+        struct search *q = &list[i];
+        enum wf_status own = q->next == WF_CROSSING_LOST && !s ? search_by_steps(q, quick, fine, &why) : s;
+        if ((own = end_search(q, own, &why, e))) return own;
+        if (!s && q->next == WF_CROSSING_FOUND) order[found++] = q;
+    }
+    qsort(order, found, sizeof(order[0]), by_critical);
+    for (size_t i = 0; i < found; i++) {
+        enum wf_status own = end_search(order[i], finish(order[i], quick, fine, &why), &why, e);
+        if (own) return own;
+    }
+    return WF_OK;
+}
+
+/* ---- All ---- */
+
+/* The lowest speed at which a search may have a crossing. */
+static double bound(const struct wf_break *b) { return wf_verdict_bound(&b->critical); }
+
+/* Result of the whole tree from those of its stem and its branches, of which the latter were searched up to
+ * the former. */
+static void join(const struct wf_break *stem, const struct wf_break *branches, struct wf_break *out)
+{
+    *out = bound(branches) < bound(stem) ? *branches : *stem;
+    if (out->critical.outcome == WF_CRITICAL_UNSEARCHED)
+        out->critical.speed_high = fmin(stem->critical.speed_high, branches->critical.speed_high);
+    if (branches->critical.outcome != WF_CRITICAL_NO_STRENGTH)
+        out->critical.evaluations = stem->critical.evaluations + branches->critical.evaluations;
 }
 
 /* Result of the branches as far as it follows from that of the whole tree. */
-static void branches(const struct wf_analysis *an, const struct wf_criterion *c, const struct wf_break *tree,
-                     struct wf_break *out)
+static void branches_of(const struct wf_analysis *an, const struct wf_criterion *c,
+                        const struct wf_break *tree, struct wf_break *out)
 {
     bool known = wf_criterion_known(c, &an->tree, WF_SCOPE_BRANCHES);
     *out = *tree;
     if (known && (tree->row < 0 || an->tree.level[tree->row] > 0)) return;
-    *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+    *out = nothing;
     out->critical = (struct wf_critical){ .outcome = known ? WF_CRITICAL_UNSEARCHED : WF_CRITICAL_NO_STRENGTH,
                                           .speed = NAN,
                                           .gradient = NAN };
@@ -365,9 +523,50 @@ static void branches(const struct wf_analysis *an, const struct wf_criterion *c,
     out->critical.speed_high = an->search.speed_max;
 }
 
+/* By values and slopes: stem and branches, each in its own state. */
+static enum wf_status search_parts(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                   struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES],
+                                   struct wf_err *e)
+{
+    static const enum wf_scope scope[] = { WF_SCOPE_STEM, WF_SCOPE_BRANCHES };
+    const struct wf_solve_options quick = wf_nodes_quick(o);
+    for (size_t p = 0; p < WF_COUNT(scope); p++) {
+        struct search list[WF_CRITERIA];
+        size_t n = 0;
+        for (int c = 0; c < WF_CRITERIA; c++) {
+            struct search q = {
+                .an = an, .criterion = (enum wf_criterion_id)c, .scope = scope[p], .nodes = nodes
+            };
+            q.out = &out[c][scope[p]];
+            if (!begin_search(&q)) continue;
+            const struct wf_break *stem = &out[c][WF_SCOPE_STEM];
+            if (p && stem->critical.outcome == WF_CRITICAL_SELF_WEIGHT) continue;
+            if (p && stem->critical.outcome == WF_CRITICAL_FOUND)
+                q.speed_max = fmin(q.speed_max, stem->critical.speed);
+            list[n++] = q;
+        }
+        enum wf_status s = search_part(list, n, &quick, o, e);
+        if (s) return s;
+    }
+    for (int c = 0; c < WF_CRITERIA; c++)
+        join(&out[c][WF_SCOPE_STEM], &out[c][WF_SCOPE_BRANCHES], &out[c][WF_SCOPE_TREE]);
+    return WF_OK;
+}
+
+/* By steps: the whole tree, then the stem. */
+static enum wf_status search_scope(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                   struct wf_nodes *nodes, int c, enum wf_scope scope, struct wf_break *out,
+                                   struct wf_err *e)
+{
+    const struct wf_solve_options quick = wf_nodes_quick(o);
+    struct wf_err why = { 0 };
+    struct search q = { .an = an, .criterion = (enum wf_criterion_id)c, .scope = scope, .nodes = nodes };
+    q.out = out;
+    return begin_search(&q) ? end_search(&q, search_by_steps(&q, &quick, o, &why), &why, e) : WF_OK;
+}
+
 /* Criteria that lose the tree, the nearest to its limit at the strongest given wind first. Returned: how
- * many.
- */
+ * many. */
 static size_t by_nearness(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA])
 {
     const struct wf_at_speed *at = an->at && an->n ? &an->at[an->n - 1] : NULL;
@@ -383,30 +582,42 @@ static size_t by_nearness(const struct wf_analysis *an, enum wf_criterion_id ord
     return n;
 }
 
-/* The lowest wind in which the stem is lost: each criterion is searched below what was found alone. */
-static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
+/* Nothing is searched yet. */
+static void unsearched(const struct wf_analysis *an, struct wf_break (*out)[WF_SCOPES])
 {
-    enum wf_criterion_id order[WF_CRITERIA];
-    double lowest = INFINITY;
-    enum wf_status s = WF_OK;
     for (int c = 0; c < WF_CRITERIA; c++)
         for (int scope = 0; scope < WF_SCOPES; scope++) {
             bool known = wf_criterion_known(&wf_criteria[c], &an->tree, (enum wf_scope)scope);
-            out[c][scope] = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+            out[c][scope] = nothing;
             out[c][scope].critical =
                 (struct wf_critical){ .outcome = known ? WF_CRITICAL_UNSEARCHED : WF_CRITICAL_NO_STRENGTH,
                                       .speed = NAN,
                                       .speed_high = an->search.speed_max,
                                       .gradient = NAN };
         }
-    for (size_t k = 0, n = by_nearness(an, order); k < n && !s; k++) {
-        struct search search = { an, o, order[k], WF_SCOPE_STEM, nodes, NAN, lowest };
+}
+
+/* The lowest wind in which the stem is lost: each criterion is searched below what was found alone. */
+static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
+{
+    const struct wf_solve_options quick = wf_nodes_quick(o);
+    enum wf_criterion_id order[WF_CRITERIA];
+    double lowest = INFINITY;
+    enum wf_status s = WF_OK;
+    unsearched(an, out);
+    for (size_t k = 0, n = by_nearness(an, order); k < n && !s && lowest > 0; k++) {
         struct wf_break *b = &out[order[k]][WF_SCOPE_STEM];
-        s = find_break(search, b, e);
-        if (!s && b->critical.outcome == WF_CRITICAL_SELF_WEIGHT) lowest = 0;
-        if (!s && b->critical.outcome == WF_CRITICAL_FOUND) lowest = fmin(lowest, b->critical.speed);
-        if (!(lowest > 0)) break;
+        struct search q = {
+            .an = an, .criterion = order[k], .scope = WF_SCOPE_STEM, .nodes = nodes, .out = b
+        };
+        if (!begin_search(&q)) continue;
+        q.speed_max = fmin(q.speed_max, lowest);
+        struct wf_err why = { 0 };
+        s = wf_nodes_tracked(an) ? search_part(&q, 1, &quick, o, e)
+                                 : end_search(&q, search_by_steps(&q, &quick, o, &why), &why, e);
+        if (!s && reached(&b->critical))
+            lowest = fmin(lowest, b->critical.outcome == WF_CRITICAL_FOUND ? b->critical.speed : 0.0);
     }
     for (int c = 0; c < WF_CRITERIA; c++)
         if (!wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES))
@@ -417,18 +628,17 @@ static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
 {
-    enum wf_status s = WF_OK;
+    const bool tracked = wf_nodes_tracked(an);
     wf_nodes_deadline(nodes, an->search.seconds);
     if (an->search.bare) return bare_breaks(an, o, nodes, out, e);
+    enum wf_status s = tracked ? search_parts(an, o, nodes, out, e) : WF_OK;
     for (int c = 0; c < WF_CRITERIA && !s; c++) {
-        struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, nodes, NAN, INFINITY };
-        s = find_break(search, &out[c][WF_SCOPE_TREE], e);
-        if (s) break;
-        out[c][WF_SCOPE_STEM] = out[c][WF_SCOPE_TREE];
-        branches(an, &wf_criteria[c], &out[c][WF_SCOPE_TREE], &out[c][WF_SCOPE_BRANCHES]);
-        search.scope = WF_SCOPE_STEM;
-        if (wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES))
-            s = find_break(search, &out[c][WF_SCOPE_STEM], e);
+        bool branches = wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES);
+        if (!tracked) s = search_scope(an, o, nodes, c, WF_SCOPE_TREE, &out[c][WF_SCOPE_TREE], e);
+        if (!tracked && !s && branches)
+            s = search_scope(an, o, nodes, c, WF_SCOPE_STEM, &out[c][WF_SCOPE_STEM], e);
+        if (!branches) out[c][WF_SCOPE_STEM] = out[c][WF_SCOPE_TREE];
+        branches_of(an, &wf_criteria[c], &out[c][WF_SCOPE_TREE], &out[c][WF_SCOPE_BRANCHES]);
     }
     return s;
 }

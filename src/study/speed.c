@@ -509,20 +509,8 @@ enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const d
     return s;
 }
 
-/* Where the solution at a speed starts, after one at `from`. The shape moves with the power 1.5 of the speed,
- * between stiff trees (2) and streamlined ones. */
-static struct wf_track_start start_at(double from, double speed, double share, const struct wf_track *other)
-{
-    const double power = 1.5, near = 1.4;
-    const double up = near * from, down = near * speed, half = 0.5 * from;
-    return (struct wf_track_start){ .low = half > speed,
-                                    .near = from > 0.0 && up >= speed && down >= from,
-                                    .ahead = (pow(speed / from, power) - 1.0) / (share * power),
-                                    .other = other };
-}
-
 enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *k,
-                              double from, double speed, const struct wf_track *other, struct wf_arena *a,
+                              double speed, struct wf_track *other, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e)
 {
     const double share = 3e-7;
@@ -530,7 +518,7 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     struct wf_loads loads, side;
     struct wf_tracked t;
     struct wf_err why = { 0 };
-    struct wf_track_start start = start_at(from, speed, share, other);
+    const struct wf_track_start start = { share, other };
     *out = (struct wf_speed_answers){ .at = { .speed = speed, .steady = unknown } };
     blow(an, speed, part, &wind, &loads);
     blow(an, speed * (1.0 + share), part, &more, &side);

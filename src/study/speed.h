@@ -165,10 +165,10 @@ struct wf_speed_answers {
     bool irregular;              /* as struct wf_tracked */
 };
 /* As wf_speed_totals, in one state, for a solver that can be tracked: `track` is one of the analysis' tree,
- * `from` the speed of its last solution (NAN: none), `other` a track whose last solution is near (NULL:
- * none). Columns of the answers are in `a`. */
+ * `other` another of it, from one of whose solutions this may start (NULL: none). Columns of the answers are
+ * in `a`. */
 enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *track,
-                              double from, double speed, const struct wf_track *other, struct wf_arena *a,
+                              double speed, struct wf_track *other, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e);
 
 #ifdef __cplusplus

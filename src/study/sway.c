@@ -5,6 +5,8 @@
 #include "base/num.h"
 #include "data/section.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
+#include "load/winter.h"
 #include "solve/beam.h"
 #include "solve/modes.h"
 #include "solve/track.h"
@@ -103,9 +105,8 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
 
 static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
 
-/* Add the sway at a speed, from the one before. Returned: whether the tree has a state in that mean wind. */
-static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double before,
-                     double speed)
+/* Add the sway at a speed. Returned: whether the tree has a state in that mean wind. */
+static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
@@ -113,7 +114,7 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
     struct wf_err why = { 0 };
     double *shape = WF_TAKE(&scratch, 3 * an->tree.n, double);
     enum wf_status s =
-        shape ? wf_speed_track(an, WF_PART_MEAN, track, before, speed, NULL, &scratch, &r, &why) : WF_ENOMEM;
+        shape ? wf_speed_track(an, WF_PART_MEAN, track, speed, NULL, &scratch, &r, &why) : WF_ENOMEM;
     bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, &m, shape, &why);
     if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
     if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m, shape);
@@ -184,7 +185,7 @@ static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
-        if (!add_sway(an, p, track, i ? at[i - 1] : (double)NAN, at[i])) break;
+        if (!add_sway(an, p, track, at[i])) break;
     wf_track_close(track);
     wf_peak_sways_take(p);
     return WF_OK;
@@ -238,6 +239,22 @@ static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, d
             name);
 }
 
+/* A stand whose crowns are much wider than the ground that each tree has: one of the two is wrong, and the
+ * wind's momentum is shared by too many trees. */
+static void note_stand(const struct wf_analysis *an, const struct wf_peak *p, struct wf_diag *d)
+{
+    const double most = 2.0; /* rule of ours */
+    double seen = wf_silhouette_size(an->model, an->tallness).breadth, spacing = p->request.stand.spacing;
+    double width = sqrt(4.0 / WF_PI * wf_crown_projection(&an->tree, isnan(seen) ? 0.0 : seen));
+    if (width > most * spacing)
+        wf_diag_warn(
+            d, "stand-crowded",
+            "%s: the crown is %.3g m wide and the trees of the stand are %.3g m apart: the wind's load "
+            "on a tree, which follows from the ground that it has, is too low unless the spacing is "
+            "right",
+            an->species->name, width, spacing);
+}
+
 /* All of a peak but its sways. */
 static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct wf_peak **out,
                             struct wf_err *e)
@@ -283,6 +300,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     if (p->method->sways) s = find_sways(an, p, o, at, k, e);
     an->peak = p;
     if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
+    if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
     return s;
 }
 
@@ -421,7 +439,7 @@ static enum wf_status find_state(const struct wf_analysis *an, const struct wf_s
     if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     enum wf_status s = wf_track_open(&an->tree, o, NULL, &track, e);
     if (s) return s;
-    s = wf_speed_track(an, WF_PART_MEAN, track, NAN, speed, NULL, a, &at, e);
+    s = wf_speed_track(an, WF_PART_MEAN, track, speed, NULL, a, &at, e);
     if (!s && at.at.status) s = wf_fail(e, at.at.status, "%s", wf_status_text(at.at.status));
     if (!s) s = wf_track_sway(track, an->wind.direction, band, &m, shape, e);
     wf_track_close(track);
