@@ -14,19 +14,21 @@ CFLAGS  ?= -O2 -g
 MATIO  := $(shell pkg-config --exists matio 2>/dev/null && echo matio)
 # libxlsxwriter is optional: without it --xlsx is refused, naming the package
 XLSX   := $(shell pkg-config --exists xlsxwriter 2>/dev/null && echo xlsxwriter)
-PKG    := $(MATIO) $(if $(MATIO),zlib) $(XLSX) gsl yaml-0.1 jansson libxslt libxml-2.0
+# libjpeg and libpng are optional: without them --photo and --logo are refused, naming the packages
+PICTURES := $(shell pkg-config --exists libjpeg libpng 2>/dev/null && echo libjpeg libpng)
+PKG    := $(PICTURES) $(MATIO) $(if $(MATIO),zlib) $(XLSX) gsl yaml-0.1 jansson libxslt libxml-2.0
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla -Werror
 SANF   := $(if $(SAN)$(FUZZ),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer) \
           $(if $(FUZZ),-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow)
 INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG)))
 ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) \
-          $(if $(MATIO),-DWF_MATIO) $(if $(XLSX),-DWF_XLSX) -DWF_VERSION='"$(VERSION)"'
+          $(if $(MATIO),-DWF_MATIO) $(if $(XLSX),-DWF_XLSX) $(if $(PICTURES),-DWF_PICTURES) -DWF_VERSION='"$(VERSION)"'
 # least squares: Ceres has no pkg-config file; its one C++ file links with its C++ library
 CERES   = -lceres -lglog -lstdc++
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 
 # Debian packages: to build and to draw; and for tests alone
-PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev zlib1g-dev libxlsxwriter-dev \
+PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev zlib1g-dev libxlsxwriter-dev libjpeg-dev libpng-dev \
             g++ libceres-dev libeigen3-dev libgoogle-glog-dev gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei
 TEST_PACKAGES := libcmocka-dev poppler-utils gdb python3-jsonschema python3-yaml
 

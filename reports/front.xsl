@@ -28,11 +28,15 @@
 <!-- A row of safety: against what | safety | required | where. -->
 <xsl:template name="front-safety">
   <xsl:param name="id"/><xsl:param name="safety"/><xsl:param name="high"/><xsl:param name="required"/><xsl:param name="where"/>
+  <xsl:param name="name"/>
   <tr>
     <xsl:if test="$safety != '' and $required != '' and $safety &lt; $required">
       <xsl:attribute name="class">short</xsl:attribute>
     </xsl:if>
-    <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></td>
+    <td>
+      <xsl:call-template name="term"><xsl:with-param name="id" select="$id"/>
+        <xsl:with-param name="otherwise" select="$name"/></xsl:call-template>
+    </td>
     <td class="r">
       <b><xsl:call-template name="fixed">
         <xsl:with-param name="x" select="$safety"/><xsl:with-param name="pattern">0.00</xsl:with-param>
@@ -76,16 +80,18 @@
   <xsl:variable name="asked" select="assessment/required/value | assessment/required[not(value)]"/>
   <xsl:variable name="stem" select="criteria/item[scope = 'stem' and winds/item[speed/value = $u]/safety/value != '']"/>
   <xsl:variable name="breaks" select="$stem[criterion = 'breakage']/winds/item[speed/value = $u]/safety/value"/>
+  <xsl:variable name="wood"> breakage elastic-limit torsion splitting ovalisation </xsl:variable>
   <xsl:for-each select="$stem[criterion = 'elastic-limit' or criterion = 'breakage' or
-    (loses_tree = 'true' and winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
+    not(contains($wood, concat(' ', criterion, ' '))) or (winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
     <xsl:sort select="winds/item[speed/value = $u]/safety/value" data-type="number"/>
     <xsl:variable name="at" select="winds/item[speed/value = $u]"/>
     <xsl:call-template name="front-safety">
       <xsl:with-param name="id" select="concat('fp.', criterion)"/>
+      <xsl:with-param name="name"><xsl:call-template name="criterion-name"/></xsl:with-param>
       <xsl:with-param name="safety" select="$at/safety/value"/>
       <xsl:with-param name="required">
         <xsl:choose>
-          <xsl:when test="$asked"><xsl:value-of select="$asked"/></xsl:when>
+          <xsl:when test="$asked and contains($wood, concat(' ', criterion, ' '))"><xsl:value-of select="$asked"/></xsl:when>
           <xsl:otherwise><xsl:value-of select="required_safety/value"/></xsl:otherwise>
         </xsl:choose>
       </xsl:with-param>
@@ -332,8 +338,48 @@
   <xsl:apply-templates select="/report/figures/figure[@name = $name]"/>
 </xsl:template>
 
+<xsl:template name="picture">
+  <xsl:param name="name"/>
+  <xsl:variable name="p" select="/report/picture[@name = $name]"/>
+  <xsl:if test="$p">
+    <img class="{$name}" src="{$p}">
+      <xsl:attribute name="alt">
+        <xsl:call-template name="say"><xsl:with-param name="id" select="concat('job.', $name)"/></xsl:call-template>
+      </xsl:attribute>
+    </img>
+  </xsl:if>
+</xsl:template>
+
+<!-- Whose report it is. -->
+<xsl:template name="job-head">
+  <xsl:if test="/report/picture[@name = 'logo'] or $r/job/organisation != ''">
+    <p class="from">
+      <xsl:call-template name="picture"><xsl:with-param name="name">logo</xsl:with-param></xsl:call-template>
+      <xsl:value-of select="$r/job/organisation"/>
+    </p>
+  </xsl:if>
+</xsl:template>
+
+<xsl:template name="job-block">
+  <xsl:if test="$r/job[client != '' or site != '' or tree_number != '']">
+    <p class="job">
+      <xsl:for-each select="$r/job/*[name() = 'client' or name() = 'site' or name() = 'tree_number'][. != '']">
+        <span>
+          <i><xsl:call-template name="say"><xsl:with-param name="id" select="concat('job.', name())"/></xsl:call-template></i>
+          <xsl:text> </xsl:text><xsl:value-of select="."/>
+        </span>
+        <xsl:text> </xsl:text>
+      </xsl:for-each>
+    </p>
+  </xsl:if>
+</xsl:template>
+
 <xsl:template name="signature">
+  <xsl:if test="$r/job/disclaimer != ''"><p class="note"><xsl:value-of select="$r/job/disclaimer"/></p></xsl:if>
   <table class="sign">
+    <xsl:if test="$r/job/assessor != ''">
+      <tr class="who"><td colspan="5"><xsl:value-of select="$r/job/assessor"/></td></tr>
+    </xsl:if>
     <tr>
       <td>
         <xsl:call-template name="say"><xsl:with-param name="id">fp.sign.name</xsl:with-param></xsl:call-template></td><td class="gap"/>
@@ -400,7 +446,10 @@
     <xsl:call-template name="front-facts"/>
   </div>
   <div class="cols">
-    <div class="col"><xsl:call-template name="front-missing"/></div>
+    <div class="col">
+      <xsl:call-template name="front-missing"/>
+      <xsl:call-template name="picture"><xsl:with-param name="name">photo</xsl:with-param></xsl:call-template>
+    </div>
     <div class="col picture">
       <xsl:call-template name="front-figure"><xsl:with-param name="name">front</xsl:with-param></xsl:call-template></div>
   </div>
@@ -509,6 +558,7 @@
   </table>
   <p class="care"><xsl:call-template name="care"/></p>
   <xsl:call-template name="care-scan"/>
+  <xsl:call-template name="picture"><xsl:with-param name="name">photo</xsl:with-param></xsl:call-template>
   <xsl:call-template name="front-figure"><xsl:with-param name="name">shapes</xsl:with-param></xsl:call-template>
 </xsl:template>
 

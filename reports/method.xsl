@@ -227,10 +227,6 @@
       <xsl:with-param name="id">tb.date</xsl:with-param><xsl:with-param name="text" select="string($r/provenance/date)"/>
     </xsl:call-template>
     <xsl:call-template name="block-row">
-      <xsl:with-param name="id">p.command</xsl:with-param>
-      <xsl:with-param name="text"><code><xsl:value-of select="$r/provenance/command"/></code></xsl:with-param>
-    </xsl:call-template>
-    <xsl:call-template name="block-row">
       <xsl:with-param name="id">p.seed</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:choose>
@@ -258,7 +254,8 @@
               <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>
             </xsl:call-template>
           </td>
-          <td><code><xsl:value-of select="path"/></code></td><td class="hash"><xsl:value-of select="sha256"/></td>
+          <td><code><xsl:call-template name="base-name"><xsl:with-param name="path" select="path"/></xsl:call-template></code></td>
+          <td class="hash"><xsl:value-of select="sha256"/></td>
         </tr>
       </xsl:for-each>
     </tbody>

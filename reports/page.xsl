@@ -335,13 +335,22 @@
   </xsl:call-template>
 </xsl:template>
 
+<!-- The name of a file without the folders it is in: a page is handed on, and they are nobody's business. -->
+<xsl:template name="base-name">
+  <xsl:param name="path"/>
+  <xsl:choose>
+    <xsl:when test="contains($path, '/')">
+      <xsl:call-template name="base-name"><xsl:with-param name="path" select="substring-after($path, '/')"/></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise><xsl:value-of select="$path"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- How the page was made. Files: of calibrations. -->
 <xsl:template name="made">
   <xsl:variable name="p" select="$r[not(provenance)] | $r/provenance"/>
   <xsl:call-template name="h2"><xsl:with-param name="id">h.provenance</xsl:with-param></xsl:call-template>
   <table class="block">
-    <xsl:call-template name="block-row"><xsl:with-param name="id">p.command</xsl:with-param>
-      <xsl:with-param name="text"><code><xsl:value-of select="$p/command"/></code></xsl:with-param></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">tb.program</xsl:with-param>
       <xsl:with-param name="text" select="concat('windfirm ', $p/version)"/></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">tb.date</xsl:with-param>
@@ -351,7 +360,9 @@
         <th><xsl:call-template name="term">
           <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>
         </xsl:call-template></th>
-        <td><code><xsl:value-of select="path"/></code><br/><span class="hash">sha256 <xsl:value-of select="sha256"/></span></td>
+        <td><code>
+          <xsl:call-template name="base-name"><xsl:with-param name="path" select="path"/></xsl:call-template></code><br/>
+          <span class="hash">sha256 <xsl:value-of select="sha256"/></span></td>
       </tr>
     </xsl:for-each>
   </table>

@@ -85,6 +85,7 @@
 
 <xsl:template name="title-block">
   <header>
+    <xsl:call-template name="job-head"/>
     <h1><xsl:call-template name="title"/></h1>
     <p class="sub">
       <xsl:for-each select="$trees[not(model/key = preceding-sibling::item/model/key)]">
@@ -98,6 +99,7 @@
       <xsl:text> – </xsl:text>
       <span class="program"><xsl:value-of select="concat($r/provenance/program, ' ', $r/provenance/version)"/></span>
     </p>
+    <xsl:call-template name="job-block"/>
     <xsl:call-template name="status"/>
   </header>
 </xsl:template>

@@ -58,7 +58,7 @@ set xlabel L('ALONG') offset 0,0.4; set ylabel L('HEIGHT') offset 0.8,0
 # from blue over grey to dark red-brown, seen alike by the colour-blind
 set palette defined (0 '#56B4E9', 25 '#0072B2', 50 '#E69F00', 75 '#D55E00', 100 '#5a1a00')
 set cbrange [0:100]; set cbtics 25 scale 0.4
-set cblabel L('USED') offset 0,0.2
+set cblabel L('USED') offset 0,0.8
 if (MOST > 0) { set colorbox horizontal user origin LEFT/WIDTH + 0.06, 48.0/HEIGHT size w/WIDTH - 0.12, 9.0/HEIGHT } else { unset colorbox }
 arrow(b) = FULL > 0 ? reach*0.92*LOAD[b]/FULL : 0
 from = low + 0.02*top

@@ -184,6 +184,7 @@ const struct wf_option wf_analyze_options[] = {
     NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 200, NULL,
            "radial thickness of ice on all axes and leaves: added mass, and thicker axes in the wind"),
     WF_WATER_ROWS(water),
+    WF_JOB_ROWS(job),
     WF_PAGE_ROWS("--no-report", pages, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },

@@ -39,6 +39,7 @@ struct wf_analyze_options {
     double corridor, corridor_towards, tip_angle; /* [m], [rad], [rad]; NAN: not given */
     bool unions;
     struct wf_pages pages;
+    struct wf_job job;
 };
 
 /* The options, converted to structs of the library. */

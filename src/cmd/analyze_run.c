@@ -89,6 +89,10 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
     enum wf_status asked = wf_analyze_request_read(&w->options, &w->arena, &d, &w->request, &next);
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (asked && !worst) worst = asked;
+    next = (struct wf_err){ 0 };
+    enum wf_status pictures = wf_job_read(&w->options.job, &w->arena, w->picture, &next);
+    if (pictures) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
+    if (pictures && !worst) worst = pictures;
     for (size_t k = 0; k < w->options.args.n; k++) {
         const char *path;
         size_t before = d.errors;
@@ -252,6 +256,8 @@ enum wf_status wf_analyze_run(struct wf_analyze_work *w, int argc, char **argv, 
     struct wf_run run = { .command = wf_command_line(argc, argv, &w->arena),
                           .version = WF_VERSION,
                           .date = wf_run_date(&w->arena),
+                          .title = w->options.job.title,
+                          .job = &w->options.job,
                           .n = n,
                           .analysis = w->analysis,
                           .input = w->input };
@@ -268,7 +274,8 @@ enum wf_status wf_analyze_run(struct wf_analyze_work *w, int argc, char **argv, 
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
     if (!w->folder) return WF_OK;
     put_tree_first(w);
-    if ((s = wf_results_write(&run, w->results.stage, e))) return s;
+    if (wf_results_write(&run, w->results.stage, e)) return e->code;
+    if ((s = wf_job_write(w->picture, w->results.stage, e))) return s;
     s = wf_results_end(&w->results, &w->options.pages, &w->arena, &whole, e);
     if (!w->options.args.quiet)
         wf_show(stdout, "\nResults%s: %s\n",

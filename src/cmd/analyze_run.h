@@ -26,6 +26,7 @@ struct wf_analyze_hooks {
 struct wf_analyze_work {
     struct wf_arena arena;
     struct wf_analyze_options options;
+    struct wf_bytes picture[WF_JOB_PICTURES]; /* photograph and logo of the page */
     struct wf_analyze_request request;
     const char *folder;
     struct wf_run_folder results;

@@ -8,6 +8,7 @@
 #include "grow/import.h"
 #include "grow/qsm_model.h"
 #include "load/scene.h"
+#include "out/job.h"
 #include "wind/gust.h"
 
 /* Words of choices by number; NULL after the last. For a shelter, "none" comes first. */
@@ -37,6 +38,20 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 #define WF_XLSX_ROW(in) FLAG("--xlsx", in.xlsx, "write the tables also as one workbook, tables/tables.xlsx")
 #define WF_PAGE_ROWS(no, in, help)                                                                           \
     FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_XLSX_ROW(in), WF_LANGUAGE_ROW(in.lang)
+
+/* Head of a report for a client; into a struct wf_job. */
+#define WF_JOB_ROWS(in)                                                                                      \
+    TEXT("--title", in.title, "TEXT", NULL, "of the page [composed of the trees' names]"),                   \
+        TEXT("--client", in.client, "TEXT", NULL, "for whom the report is"),                                 \
+        TEXT("--site-name", in.site, "TEXT", NULL, "where the tree stands, in words"),                       \
+        TEXT("--tree-number", in.tree_number, "TEXT", NULL, "of the tree in a register"),                    \
+        TEXT("--assessor", in.assessor, "TEXT", NULL, "who answers for the report"),                         \
+        TEXT("--organisation", in.organisation, "TEXT", NULL, "the assessor's"),                             \
+        PATH("--photo", in.photo, "FILE", NULL,                                                              \
+             "photograph of the tree, PNG or JPEG up to 20 MB and 40 megapixels: encoded anew, without "     \
+             "place, time and camera"),                                                                      \
+        PATH("--logo", in.logo, "FILE", NULL, "the organisation's, as --photo"),                             \
+        TEXT("--disclaimer", in.disclaimer, "TEXT", NULL, "a paragraph at the end of the first page")
 
 #define WF_AZIMUTH_ROW(m)                                                                                    \
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \

@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "out/doc.h"
 #include "out/figures.h"
+#include "out/job.h"
 #include "out/printer.h"
 #include "out/reader.h"
 #include "out/results.h"
@@ -119,6 +120,35 @@ static enum wf_status make_document(struct job *j)
             !wf_xml_from_json(root, "results", j->results) ||
             !xmlNewTextChild(root, NULL, BAD_CAST "css", BAD_CAST css.data) ||
             !(j->figures = xmlNewChild(root, NULL, BAD_CAST "figures", NULL)))
+            code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
+    }
+    wf_arena_free(&scratch);
+    return code;
+}
+
+/* Add photograph and logo to the document: <picture name="photo">data:...</picture>. The folder may be a
+ * stranger's: they are decoded and encoded again. */
+static enum wf_status add_pictures(struct job *j)
+{
+    const json_t *job = json_object_get(j->results, "job");
+    struct wf_arena scratch = { 0 };
+    enum wf_status code = WF_OK;
+    for (size_t i = 0; i < WF_JOB_PICTURES && !code; i++) {
+        char path[WF_PATH_MAX], name[32];
+        struct wf_bytes jpeg;
+        struct wf_err why = { 0 };
+        snprintf(name, sizeof name, "plots/%s.jpg", wf_job_pictures[i]);
+        if (!json_is_string(json_object_get(job, wf_job_pictures[i]))) continue;
+        if ((code = wf_folder_path(j->folder, name, path, j->e))) break;
+        if (wf_picture_take(path, &scratch, &jpeg, &why)) {
+            miss(j, "no-picture", &why);
+            continue;
+        }
+        const char *address = wf_picture_address(&jpeg, &scratch);
+        xmlNode *node = address ? xmlNewTextChild(xmlDocGetRootElement(j->document), NULL, BAD_CAST "picture",
+                                                  BAD_CAST address)
+                                : NULL;
+        if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST wf_job_pictures[i]))
             code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     }
     wf_arena_free(&scratch);
@@ -328,6 +358,7 @@ enum wf_status wf_report_make(const char *folder, const char *language, struct w
         return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", language);
     enum wf_status code = read_results(&j);
     if (!code) code = make_document(&j);
+    if (!code) code = add_pictures(&j);
     if (!code) code = draw_kind(&j);
     if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);

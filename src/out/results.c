@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "out/fragility.h"
 #include "out/inputs.h"
+#include "out/job.h"
 #include "out/modes.h"
 #include "out/tree_picture.h"
 #include "out/verdict_part.h"
@@ -298,6 +299,8 @@ static json_t *document(struct wf_doc *d, const struct wf_run *run, const size_t
     wf_doc_text(d, schema, "name", WF_RESULTS_SCHEMA);
     wf_doc_count(d, schema, "version", WF_RESULTS_VERSION);
     wf_doc_text(d, o, "title", run->title);
+    json_t *job = run->job ? wf_part_job(d, run->job) : NULL;
+    if (job) wf_doc_put(d, o, "job", job);
     wf_doc_put(d, o, "provenance", provenance(d, run));
     json_t *trees = wf_doc_put(d, o, "trees", wf_doc_array(d));
     for (size_t i = 0; i < run->n; i++) wf_doc_add(d, trees, tree_part(d, run, i));

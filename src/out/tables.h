@@ -15,6 +15,7 @@ struct wf_input_file {
 };
 
 /* All results of one run. The analyses share the list of wind speeds, in the same order. */
+struct wf_job; /* out/job.h */
 struct wf_run {
     const char *title;   /* given by the user; NULL: the report composes one    */
     const char *command; /* command line as given                               */
@@ -24,6 +25,7 @@ struct wf_run {
     const struct wf_analysis *analysis; /* one per species                      */
     size_t inputs;
     const struct wf_input_file *input;
+    const struct wf_job *job; /* NULL: none */
     bool random; /* random numbers were drawn, from `seed` */
     uint64_t seed;
 };
