@@ -104,7 +104,8 @@ static void starters_run(void **state)
     static const struct row rows[] = {
         { "W=$(realpath $W); cd $T; for k in species model study fit; do $W init $k my_$k || exit; done;"
           "$W analyze my_species.yaml --model my_model.yaml --wind 20 --no-report -o a --samples 0 && "
-          "$W analyze my_study.yaml --no-report -o b --samples 0 && $W simulate-test my_fit.yaml -o c",
+          "$W analyze my_study.yaml --no-report -o b --samples 0 && $W simulate-test my_fit.yaml -o c && $W "
+          "init tree gate && $W assess gate.yaml --samples 0",
           CODE_OK,
           { "my_species.yaml written", "My species" } },
         { "W=$(realpath $W); cd $T; $W init model x && $W init model x",

@@ -99,10 +99,11 @@ static enum wf_status init(const char *kind, const char *name, const char *outpu
 int wf_cmd_init(int argc, char **argv)
 {
     static const char about[] =
-        "KIND is that of a starter: species (a table of wood and crown), model (the shape of a tree), study "
+        "KIND is that of a starter: tree (a card of what is measured with a tape, for assess), species (a "
+        "table of wood and crown), model (the shape of a tree), study "
         "(an analysis "
         "with its options), fit (a pulling test).\n"
-        "  windfirm init model my_oak\n  windfirm init study storm -o storms/january.yaml";
+        "  windfirm init tree gate\n  windfirm init model my_oak\n  windfirm init study storm -o storms/january.yaml";
     struct wf_arena arena = { 0 };
     struct init_options o;
     struct wf_err e = { 0 };

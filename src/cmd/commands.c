@@ -39,7 +39,7 @@ const struct wf_command wf_commands[] = {
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },
     { "init", "KIND NAME [-o FILE]",
-      "Begin a species table, a model or a study: a commented file with the keys that matter.", wf_cmd_init },
+      "Begin a tree card, a species table, a model or a study: a commented file with the keys that matter.", wf_cmd_init },
     { "modes", "SPECIES --model MODEL | --tree FILE [option...]",
       "Natural frequencies of a tree in still air and in wind: how it moves in each, and its damping.",
       wf_cmd_modes },

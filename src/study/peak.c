@@ -129,6 +129,7 @@ static double mean_stand(const struct wf_peak *p, double speed)
 {
     const struct wf_stand *s = &p->request.stand;
     double area, top, own = own_moment(p, fmax(speed, 0.5), &area, &top);
+    if (!(own > 0.0)) return 0.0; /* nothing meets the wind */
     return wf_stand_moment(p->loads.air_density, top, s->height, s->spacing, area) / own;
 }
 
