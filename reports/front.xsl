@@ -568,13 +568,17 @@
     <h3><xsl:call-template name="say"><xsl:with-param name="id">lv.head</xsl:with-param></xsl:call-template></h3>
     <p class="controls">
       <label><xsl:call-template name="say"><xsl:with-param name="id">c.tree</xsl:with-param></xsl:call-template>
-        <xsl:text> </xsl:text><select/></label>
+        <xsl:text> </xsl:text><select>
+        <xsl:for-each select="$trees[position() &lt;= 64]">
+          <option value="{position() - 1}"><xsl:call-template name="name"/></option>
+        </xsl:for-each>
+      </select></label>
       <label><xsl:call-template name="say"><xsl:with-param name="id">lv.wind</xsl:with-param></xsl:call-template>
         <xsl:text> </xsl:text><input type="range" min="0" step="1" value="0"/></label>
       <button type="button"><xsl:call-template name="say"><xsl:with-param name="id">lv.switch</xsl:with-param></xsl:call-template></button>
     </p>
     <div class="cols">
-      <div class="col"><svg xmlns="http://www.w3.org/2000/svg" role="img" viewBox="0 0 1 1"/></div>
+      <div class="col stage"></div>
       <div class="col picture">
         <table class="block" aria-live="polite">
           <xsl:call-template name="live-row"><xsl:with-param name="key">speed</xsl:with-param>

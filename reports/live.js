@@ -9,7 +9,7 @@
   var NS = 'http://www.w3.org/2000/svg';
   var slider = box.querySelector('input[type=range]');
   var choice = box.querySelector('select');
-  var svg = box.querySelector('svg');
+  var svg = put(box.querySelector('.stage'), 'svg', { role: 'img' });
   var tree = data.trees[0];
   var at = 0, kept = 0;
 
@@ -76,12 +76,6 @@
     at = kept = Math.min(kept || tree.winds.length, tree.winds.length);
     draw();
   }
-  data.trees.forEach(function (t, i) {
-    var o = document.createElement('option');
-    o.value = i;
-    o.textContent = t.name;
-    choice.appendChild(o);
-  });
   choice.parentNode.hidden = data.trees.length < 2;
   choice.addEventListener('change', function () { take(Number(choice.value)); });
   slider.addEventListener('input', function () { at = Number(slider.value); kept = at || kept; draw(); });

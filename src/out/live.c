@@ -37,14 +37,11 @@ static json_t *wind_part(struct wf_doc *d, const json_t *wind, double gust)
     return o;
 }
 
-static json_t *tree_part(struct wf_doc *d, const json_t *tree, const char *language)
+static json_t *tree_part(struct wf_doc *d, const json_t *tree)
 {
-    const json_t *species = json_object_get(tree, "species"), *scenario = json_object_get(tree, "scenario"),
-                 *x;
-    const char *name = !strcmp(language, "zh") ? text_of(species, "name_zh") : NULL;
+    const json_t *scenario = json_object_get(tree, "scenario"), *x;
     double lost = value_of(json_object_get(tree, "verdict"), "critical_speed");
     json_t *o = wf_doc_object(d);
-    wf_doc_text(d, o, "name", name ? name : text_of(species, "name"));
     wf_doc_number(d, o, "lost", lost);
     wf_doc_put(d, o, "still", wf_doc_array(d));
     json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
@@ -128,37 +125,20 @@ static enum wf_status read_shapes(const char *path, const json_t *results, json_
     return s;
 }
 
-/* JSON that nothing around it can take for markup. */
-static const char *escaped(const char *text, struct wf_arena *a)
-{
-    char *out = WF_TAKE(a, 6 * strlen(text) + 1, char), *to = out;
-    for (const char *p = text; out && *p; p++) {
-        bool line = !strncmp(p, "\xe2\x80\xa8", 3) || !strncmp(p, "\xe2\x80\xa9", 3);
-        if (line)
-            to += sprintf(to, "\\u20%s", p[2] == '\xa8' ? "28" : "29"), p += 2;
-        else if (strchr("<>&", *p))
-            to += sprintf(to, "\\u%04x", (unsigned)*p);
-        else
-            *to++ = *p;
-    }
-    if (out) *to = '\0';
-    return out;
-}
-
-enum wf_status wf_live_data(const char *folder, const json_t *results, const char *language,
-                            struct wf_arena *a, const char **out, struct wf_err *e)
+enum wf_status wf_live_data(const char *folder, const json_t *results, struct wf_arena *a, const char **out,
+                            struct wf_err *e)
 {
     struct wf_doc d = { 0 };
     char path[WF_PATH_MAX];
     json_t *o = wf_doc_object(&d), *trees = wf_doc_put(&d, o, "trees", wf_doc_array(&d)), *x;
     size_t i, n = 0, rows;
     json_array_foreach(json_object_get(results, "trees"), i, x) if (i < TREES)
-        wf_doc_add(&d, trees, tree_part(&d, x, language));
+        wf_doc_add(&d, trees, tree_part(&d, x));
     enum wf_status s = wf_folder_path(folder, "tables/shape.csv", path, e);
     if (!s) s = read_shapes(path, results, trees, false, true, &d, &n, e);
     if (!s) s = read_shapes(path, results, trees, n <= POINTS, false, &d, &rows, e);
     char *text = s || d.failed ? NULL : json_dumps(o, JSON_COMPACT | JSON_REAL_PRECISION(7));
-    *out = text ? escaped(text, a) : NULL;
+    *out = text ? wf_arena_print(a, "%s", text) : NULL;
     if (!s && !*out) s = wf_fail(e, WF_ENOMEM, "%s: no memory for the page", folder);
     free(text);
     json_decref(o);

@@ -8,8 +8,8 @@
 #include <jansson.h>
 
 /* Given: a results folder and its document. Returned: *out, JSON in the arena that can stand in a <script> of
- * a page: no '<', '>', '&' and line separators but escaped ones. Where the shapes have more points than a
- * page should carry, stems alone are taken. Errors: WF_EINPUT for a table that cannot be read, WF_ENOMEM. */
-enum wf_status wf_live_data(const char *folder, const json_t *results, const char *language,
-                            struct wf_arena *a, const char **out, struct wf_err *e);
+ * a page: its texts are keys, all else are numbers. Where the shapes have more points than a page should
+ * carry, stems alone are taken. Errors: WF_EINPUT for a table that cannot be read, WF_ENOMEM. */
+enum wf_status wf_live_data(const char *folder, const json_t *results, struct wf_arena *a, const char **out,
+                            struct wf_err *e);
 #endif

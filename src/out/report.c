@@ -182,7 +182,7 @@ static enum wf_status add_live(struct job *j)
     xmlNode *root = xmlDocGetRootElement(j->document), *node = NULL;
     enum wf_status code = wf_report_asset("live.js", path, sizeof path, j->e);
     if (!code) code = wf_file_read_text(path, &scratch, &script, j->e);
-    if (!code) code = wf_live_data(j->folder, j->results, j->language, &scratch, &data, j->e);
+    if (!code) code = wf_live_data(j->folder, j->results, &scratch, &data, j->e);
     if (!code && (name = script_name(&script, &scratch)))
         node = xmlNewTextChild(root, NULL, BAD_CAST "script", BAD_CAST script.data);
     if (!code && (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name) ||
