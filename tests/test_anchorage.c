@@ -342,7 +342,7 @@ static void a_name_without_a_unit(void **state)
     assert_true(factor == 1e3 && d.errors == 0);
     assert_true(wf_column_need(&csv, u, "moment_foo", WF_DIM_MOMENT, &factor, &e) == WF_CSV_NONE);
     assert_int_equal(d.errors, 1);
-    assert_non_null(strstr(d.first->text, "'moment_foo' is not a unit of a moment; use one of: N m, kN m"));
+    assert_non_null(strstr(d.first->text, "column 'moment_foo' does not say its unit, that of a moment (N m, kN m"));
     wf_units_close(u);
     wf_arena_free(&arena);
     folder_remove(&folder);

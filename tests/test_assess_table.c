@@ -59,6 +59,14 @@ static void rows(void **state)
     assert_string_equal(r.cell[2], "h\xC3\xB6he");
     assert_false(wf_rows_next(&r));
     wf_rows_close(&r);
+    write_file("a,b\n1\0"
+               "2,3\n4,5\n",
+               14);
+    assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_OK);
+    assert_true(wf_rows_next(&r) && r.wrong);
+    assert_string_equal(r.raw, "1?2,3");
+    assert_true(wf_rows_next(&r) && !r.wrong);
+    wf_rows_close(&r);
     write_file("a,b,A\n", 6);
     assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_EINPUT);
     wf_rows_close(&r);

@@ -131,6 +131,19 @@ static void refuse_unit(struct wf_csv *c, size_t column, const char *unit, enum 
     wf_csv_report(c, name->line, name->column, text);
 }
 
+/* A required column whose name ends in no unit of the dimension. */
+static void miss_unit(struct wf_csv *c, size_t column, enum wf_dimension d)
+{
+    char text[400];
+    const struct wf_cell *name = &c->name[column];
+    const char *units = wf_dimension_row(d)->units;
+    (void)snprintf(
+        text, sizeof text,
+        "column '%.60s' does not say its unit, that of %s (%s); end its name in it, for example '%.60s_%.*s'",
+        name->text, wf_dimension_row(d)->name, units, name->text, (int)strcspn(units, ","), units);
+    wf_csv_report(c, name->line, name->column, text);
+}
+
 bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum wf_dimension d,
                       const char *usual, double *factor, struct wf_err *e)
 {
@@ -183,7 +196,7 @@ size_t wf_column_need(struct wf_csv *c, struct wf_units *u, const char *name, en
         bool own = wf_name_unit(u, name, d, factor, &stem, e), headed = c->unit && *c->unit[column];
         if (headed || !own) own = wf_column_factor(c, u, column, d, "", factor, e);
         if (own) return column;
-        if (!headed) refuse_unit(c, column, name, d);
+        if (!headed) miss_unit(c, column, d);
         return WF_CSV_NONE;
     }
     if (wf_name_unit(u, name, d, factor, &stem, e))

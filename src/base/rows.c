@@ -55,7 +55,12 @@ static void take(struct wf_rows *r, size_t size)
     memmove(r->held, r->held + size, r->held_size - size);
     r->held_size -= size;
     r->line = r->next_line;
-    for (size_t i = 0; i < size; i++) r->next_line += r->raw[i] == '\n';
+    for (size_t i = 0; i < size; i++) {
+        r->next_line += r->raw[i] == '\n';
+        if (r->raw[i]) continue;
+        r->raw[i] = '?'; /* the text ends at its size */
+        r->wrong = "it holds zero bytes, which are shown as '?'";
+    }
     while (size && (r->raw[size - 1] == '\n' || r->raw[size - 1] == '\r')) size--;
     r->raw[size] = '\0';
     r->size = size;

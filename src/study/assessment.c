@@ -140,7 +140,7 @@ static void find_years(const struct wf_analysis *an, const struct wf_design_word
         int end = 0;
         out->years = wf_design_years(design, speed / out->speed, &end);
         out->years_least = end<0, out->years_most = end> 0 || c->outcome == WF_CRITICAL_ABOVE;
-        if (isnan(out->years)) out->years_unknown = "the code gives one wind, from its maps";
+        if (isnan(out->years)) out->years_unknown = "the code says nothing of other return periods";
     }
 }
 

@@ -237,7 +237,7 @@ bool wf_rose_direction(const char *text, double *degrees, bool *named)
 size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor, struct wf_err *e)
 {
     struct wf_units *u;
-    size_t stem, mistakes = c->mistakes;
+    size_t stem;
     if (wf_units_open(&u, e)) return WF_CSV_NONE;
     size_t at = wf_column_need(c, u, name, WF_DIM_SPEED, factor, e);
     bool head = at != WF_CSV_NONE && c->unit && *c->unit[at], known = false;
@@ -246,15 +246,7 @@ size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor, struc
     else if (at != WF_CSV_NONE)
         known = wf_name_unit(u, c->name[at].text, WF_DIM_SPEED, factor, &stem, e);
     wf_units_close(u);
-    if (known) return at;
-    if (at == WF_CSV_NONE || c->mistakes > mistakes || (e && e->code)) return WF_CSV_NONE;
-    char text[400];
-    (void)snprintf(text, sizeof text,
-                   "the column '%.60s' does not say its unit; name it %.60s_ms, %.60s_kmh, %.60s_kn or "
-                   "%.60s_mph",
-                   name, name, name, name, name);
-    wf_csv_report(c, c->name[at].line, c->name[at].column, text);
-    return WF_CSV_NONE;
+    return known ? at : WF_CSV_NONE;
 }
 
 /* The sector whose middle a direction is; SECTORS_MAX: none. */
