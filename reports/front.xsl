@@ -562,6 +562,53 @@
   <xsl:call-template name="front-figure"><xsl:with-param name="name">shapes</xsl:with-param></xsl:call-template>
 </xsl:template>
 
+<!-- The tree at the wind of a slider, for the screen alone; hidden until its script runs. -->
+<xsl:template name="live">
+  <section id="live" class="live" hidden="hidden">
+    <h3><xsl:call-template name="say"><xsl:with-param name="id">lv.head</xsl:with-param></xsl:call-template></h3>
+    <p class="controls">
+      <label><xsl:call-template name="say"><xsl:with-param name="id">c.tree</xsl:with-param></xsl:call-template>
+        <xsl:text> </xsl:text><select>
+        <xsl:for-each select="$trees[position() &lt;= 64]">
+          <option value="{position() - 1}"><xsl:call-template name="name"/></option>
+        </xsl:for-each>
+      </select></label>
+      <label><xsl:call-template name="say"><xsl:with-param name="id">lv.wind</xsl:with-param></xsl:call-template>
+        <xsl:text> </xsl:text><input type="range" min="0" step="1" value="0"/></label>
+      <button type="button"><xsl:call-template name="say"><xsl:with-param name="id">lv.switch</xsl:with-param></xsl:call-template></button>
+    </p>
+    <div class="cols">
+      <div class="col stage"></div>
+      <div class="col picture">
+        <table class="block" aria-live="polite">
+          <xsl:call-template name="live-row"><xsl:with-param name="key">speed</xsl:with-param>
+            <xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">gust</xsl:with-param>
+            <xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">tip</xsl:with-param>
+            <xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">moment</xsl:with-param>
+            <xsl:with-param name="unit">kN m</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">breakage</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">safety</xsl:with-param></xsl:call-template>
+        </table>
+        <p class="care beyond" hidden="hidden">
+          <xsl:call-template name="say"><xsl:with-param name="id">lv.beyond</xsl:with-param></xsl:call-template>
+        </p>
+        <p class="note"><xsl:call-template name="say"><xsl:with-param name="id">lv.note</xsl:with-param></xsl:call-template></p>
+      </div>
+    </div>
+  </section>
+</xsl:template>
+
+<xsl:template name="live-row">
+  <xsl:param name="key"/><xsl:param name="unit"/>
+  <tr>
+    <th><xsl:call-template name="say"><xsl:with-param name="id" select="concat('lv.', $key)"/></xsl:call-template></th>
+    <td><b data-key="{$key}">–</b><xsl:text> </xsl:text><xsl:value-of select="$unit"/></td>
+  </tr>
+</xsl:template>
+
 <!-- Figures that stand on the first page. -->
 <xsl:variable name="in-front">
   <xsl:choose><xsl:when test="count($trees) = 1">front</xsl:when><xsl:otherwise>shapes</xsl:otherwise></xsl:choose>

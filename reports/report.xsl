@@ -356,12 +356,21 @@
 <xsl:template match="/report">
   <html lang="{$lang}">
     <head>
-      <meta charset="UTF-8"/><meta name="generator" content="{$r/provenance/program} {$r/provenance/version}"/>
+      <meta charset="UTF-8"/>
+      <meta http-equiv="Content-Security-Policy">
+        <xsl:attribute name="content">
+          <xsl:text>default-src 'none'; style-src 'unsafe-inline'; img-src data:</xsl:text>
+          <xsl:if test="script">; script-src '<xsl:value-of select="script/@name"/>'</xsl:if>
+        </xsl:attribute>
+      </meta>
+      <meta name="viewport" content="width=device-width, initial-scale=1"/>
+      <meta name="generator" content="{$r/provenance/program} {$r/provenance/version}"/>
       <title><xsl:call-template name="title"/></title><style><xsl:value-of select="css" disable-output-escaping="yes"/></style>
     </head>
     <body lang="{$lang}">
       <xsl:call-template name="title-block"/>
       <xsl:call-template name="front"/>
+      <xsl:if test="script"><xsl:call-template name="live"/></xsl:if>
       <section class="annex">
         <xsl:call-template name="heading">
           <xsl:with-param name="n" select="1"/><xsl:with-param name="id">h.summary</xsl:with-param>
@@ -428,6 +437,10 @@
         </xsl:call-template>
         <xsl:call-template name="provenance"/>
       </section>
+      <xsl:if test="script">
+        <script type="application/json" id="live-data"><xsl:value-of select="live"/></script>
+        <script><xsl:value-of select="script"/></script>
+      </xsl:if>
     </body>
   </html>
 </xsl:template>

@@ -340,3 +340,17 @@ struct wf_hint wf_did_you_mean_or(const char *word, const char *const *known, si
         used += (size_t)snprintf(hint.text + used, sizeof hint.text - used, "%s%s", i ? ", " : "", known[i]);
     return hint;
 }
+
+char *wf_base64(const void *bytes, size_t n, struct wf_arena *a)
+{
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const unsigned char *from = bytes;
+    char *text = WF_TAKE(a, (n + 2) / 3 * 4 + 1, char), *to = text;
+    for (size_t i = 0; text && i < n; i += 3) {
+        unsigned x = 0;
+        for (size_t k = 0; k < 3; k++) x = x << 8 | (i + k < n ? from[i + k] : 0u);
+        for (size_t k = 0; k < 4; k++) *to++ = i + k > n ? '=' : digit[x >> (18 - 6 * k) & 63];
+    }
+    if (text) *to = '\0';
+    return text;
+}

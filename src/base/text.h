@@ -70,4 +70,6 @@ struct wf_hint wf_did_you_mean(const char *word, const char *const *known, size_
 /* The same; when no known word is similar, "; OTHERWISE a, b, c" with all of them. */
 struct wf_hint wf_did_you_mean_or(const char *word, const char *const *known, size_t n,
                                   const char *otherwise);
+/* Bytes as text of base 64 (RFC 4648, with padding). NULL: no memory. */
+char *wf_base64(const void *bytes, size_t n, struct wf_arena *a);
 #endif

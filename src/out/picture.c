@@ -1,24 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/picture.h"
+#include "base/text.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 const char *wf_picture_address(const struct wf_bytes *jpeg, struct wf_arena *a)
 {
-    static const char lead[] = "data:image/jpeg;base64,",
-                      digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    size_t n = jpeg->size, size = sizeof lead + (n + 2) / 3 * 4;
-    char *text = WF_TAKE(a, size, char), *to = text;
-    if (!text) return NULL;
-    memcpy(to, lead, sizeof lead), to += sizeof lead - 1;
-    for (size_t i = 0; i < n; i += 3) {
-        unsigned x = 0;
-        for (size_t k = 0; k < 3; k++) x = x << 8 | (i + k < n ? (unsigned char)jpeg->data[i + k] : 0u);
-        for (size_t k = 0; k < 4; k++) *to++ = i + k > n ? '=' : digit[x >> (18 - 6 * k) & 63];
-    }
-    *to = '\0';
-    return text;
+    const char *text = wf_base64(jpeg->data, jpeg->size, a);
+    return text ? wf_arena_print(a, "data:image/jpeg;base64,%s", text) : NULL;
 }
 
 #ifndef WF_PICTURES

@@ -2,9 +2,11 @@
 #include "out/report.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/text.h"
 #include "out/doc.h"
 #include "out/figures.h"
 #include "out/job.h"
+#include "out/live.h"
 #include "out/printer.h"
 #include "out/reader.h"
 #include "out/results.h"
@@ -151,6 +153,41 @@ static enum wf_status add_pictures(struct job *j)
         if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST wf_job_pictures[i]))
             code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     }
+    wf_arena_free(&scratch);
+    return code;
+}
+
+/* "sha256-..." of a script, by which a page says that it runs this one alone. NULL: no memory. */
+static const char *script_name(const struct wf_bytes *script, struct wf_arena *a)
+{
+    char hex[WF_SHA256_TEXT];
+    unsigned char digest[32];
+    wf_sha256(script->data, script->size, hex);
+    for (size_t i = 0; i < sizeof digest; i++) {
+        const char pair[3] = { hex[2 * i], hex[2 * i + 1], '\0' };
+        digest[i] = (unsigned char)strtoul(pair, NULL, 16);
+    }
+    const char *text = wf_base64(digest, sizeof digest, a);
+    return text ? wf_arena_print(a, "sha256-%s", text) : NULL;
+}
+
+/* Add the picture that answers: <live>data</live> and <script name="sha256-...">. Without it the page is
+ * whole. */
+static enum wf_status add_live(struct job *j)
+{
+    char path[WF_PATH_MAX];
+    struct wf_arena scratch = { 0 };
+    struct wf_bytes script = { 0 };
+    const char *data = NULL, *name = NULL;
+    xmlNode *root = xmlDocGetRootElement(j->document), *node = NULL;
+    enum wf_status code = wf_report_asset("live.js", path, sizeof path, j->e);
+    if (!code) code = wf_file_read_text(path, &scratch, &script, j->e);
+    if (!code) code = wf_live_data(j->folder, j->results, &scratch, &data, j->e);
+    if (!code && (name = script_name(&script, &scratch)))
+        node = xmlNewTextChild(root, NULL, BAD_CAST "script", BAD_CAST script.data);
+    if (!code && (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name) ||
+                  !xmlNewTextChild(root, NULL, BAD_CAST "live", BAD_CAST data)))
+        code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     wf_arena_free(&scratch);
     return code;
 }
@@ -359,6 +396,7 @@ enum wf_status wf_report_make(const char *folder, const char *language, struct w
     enum wf_status code = read_results(&j);
     if (!code) code = make_document(&j);
     if (!code) code = add_pictures(&j);
+    if (!code && j.kind->figure == report_figures) code = add_live(&j);
     if (!code) code = draw_kind(&j);
     if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A report's page in headless Chromium: moves the slider, compares its numbers with the tables of the page and with the
+# results, and takes pictures of a telephone and a desk.
+#   python3 live.py FOLDER CHROMIUM [PICTURES]
+# Chromium is driven through pipes, so that no port is opened. Prints "live: N numbers", or what is wrong.
+import base64, csv, json, os, subprocess, sys, tempfile
+
+folder, chromium = os.path.abspath(sys.argv[1]), sys.argv[2]
+pictures = sys.argv[3] if len(sys.argv) > 3 else None
+
+
+class Browser:
+    def __init__(self):
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        down, up = os.pipe(), os.pipe()
+        # the browser reads from 3 and writes to 4
+        self.process = subprocess.Popen(
+            ['sh', '-c', f'exec 3<&{down[0]} 4>&{up[1]}; exec "$@"', 'sh', chromium, '--headless=new', '--no-sandbox',
+             '--disable-gpu', '--no-first-run', '--hide-scrollbars', '--remote-debugging-pipe',
+             '--user-data-dir=' + self.profile.name, 'about:blank'],
+            pass_fds=(down[0], up[1]), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(down[0]), os.close(up[1])
+        self.to, self.back, self.rest, self.n, self.said = down[1], up[0], b'', 0, []
+        page = [t for t in self.call('Target.getTargets')['targetInfos'] if t['type'] == 'page'][0]
+        self.session = self.call('Target.attachToTarget', targetId=page['targetId'], flatten=True)['sessionId']
+        for domain in ('Page', 'Runtime', 'Log'):
+            self.call(domain + '.enable')
+
+    def next(self):
+        while b'\0' not in self.rest:
+            got = os.read(self.back, 1 << 16)
+            if not got:
+                sys.exit('the browser ended')
+            self.rest += got
+        one, self.rest = self.rest.split(b'\0', 1)
+        one = json.loads(one)
+        if one.get('method') in ('Runtime.exceptionThrown', 'Log.entryAdded'):
+            self.said.append(json.dumps(one['params'])[:600])
+        return one
+
+    def call(self, method, **params):
+        self.n += 1
+        order = {'id': self.n, 'method': method, 'params': params}
+        if hasattr(self, 'session'):
+            order['sessionId'] = self.session
+        os.write(self.to, json.dumps(order).encode() + b'\0')
+        while True:
+            one = self.next()
+            if one.get('id') == self.n:
+                if 'error' in one:
+                    sys.exit(f"{method}: {one['error']}")
+                return one['result']
+
+    def open(self, path):
+        self.call('Page.navigate', url='file://' + path)
+        while self.next().get('method') != 'Page.loadEventFired':
+            pass
+
+    def js(self, text):
+        result = self.call('Runtime.evaluate', expression=text, returnByValue=True)
+        if 'exceptionDetails' in result:
+            sys.exit(str(result['exceptionDetails'])[:600])
+        return result['result'].get('value')
+
+    def size(self, width, height):
+        self.call('Emulation.setDeviceMetricsOverride', width=width, height=height, deviceScaleFactor=1, mobile=width < 600)
+
+    def key(self, name, code):
+        for kind in ('keyDown', 'keyUp'):
+            self.call('Input.dispatchKeyEvent', type=kind, key=name, code=name, windowsVirtualKeyCode=code)
+
+    def picture(self, file):
+        shot = self.call('Page.captureScreenshot', format='png', captureBeyondViewport=True)['data']
+        with open(file, 'wb') as f:
+            f.write(base64.b64decode(shot))
+
+    def close(self):
+        self.process.kill()
+        self.process.wait()
+        self.profile.cleanup()
+
+
+wrong, compared = [], 0
+
+
+def near(what, shown, want):
+    global compared
+    compared += 1
+    if want is None or want == '':
+        if shown != '–':
+            wrong.append(f'{what}: {shown}, want a dash')
+        return
+    value = float(shown.replace('−', '-'))
+    if abs(value - float(want)) > 0.006 * abs(float(want)) + 1e-4:
+        wrong.append(f'{what}: {shown}, want {want}')
+
+
+results = json.load(open(folder + '/results.json'))
+summary = list(csv.DictReader(open(folder + '/tables/summary.csv')))
+browser = Browser()
+browser.open(folder + '/report.html')
+read = lambda key: browser.js(f"document.querySelector('#live [data-key={key}]').textContent")
+if browser.js("document.getElementById('live').hidden"):
+    wrong.append('the picture stays hidden')
+for k, tree in enumerate(results['trees']):
+    rows = [r for r in summary if int(r['tree']) == k + 1 and r['status'] == 'ok']
+    browser.js(f"var c = document.querySelector('#live select'); c.value = '{k}'; c.dispatchEvent(new Event('change')); 0")
+    if browser.js("document.querySelector('#live select').selectedOptions[0].textContent") != tree['species']['name']:
+        wrong.append(f'tree {k + 1}: not its name')
+    browser.js("document.querySelector('#live input').focus()")
+    browser.key('Home', 36)
+    near('still air', read('moment'), 0)
+    shapes = {browser.js("document.querySelector('#live svg .bent').getAttribute('d')")}
+    for row in rows:
+        browser.key('ArrowRight', 39)
+        near('speed', read('speed'), row['wind_m_s'])
+        near('tip', read('tip'), row['mean_tip_deflection_m'] or row['tip_deflection_m'])
+        near('moment', read('moment'), float(row['base_moment_Nm']) / 1e3)
+        near('breakage', read('breakage'), row['least_safety'])
+        near('safety', read('safety'), row['tree_safety'])
+        shapes.add(browser.js("document.querySelector('#live svg .bent').getAttribute('d')"))
+        lost = row['lost_wind_m_s'] and float(row['wind_m_s']) > float(row['lost_wind_m_s'])
+        if browser.js("document.querySelector('#live .beyond').hidden") == bool(lost):
+            wrong.append(f"{row['wind_m_s']} m/s: beyond the loss or not")
+    if len(shapes) != len(rows) + 1:
+        wrong.append(f'{len(shapes)} shapes of {len(rows)} winds and still air')
+    browser.js("document.querySelector('#live button').click()")
+    near('after the switch', read('moment'), 0)
+    browser.js("document.querySelector('#live button').click()")
+for name, width, height in (('phone', 390, 844), ('desk', 1280, 900)):
+    browser.size(width, height)
+    wide = browser.js("document.documentElement.scrollWidth")
+    if wide > width:
+        wrong.append(f'{name}: the page is {wide} pixels wide, not {width}')
+    out = browser.js("""Array.from(document.querySelectorAll('p, caption, figcaption, h1, h2, h3, li, table, figure')).filter(function (x) {
+        var r = x.getBoundingClientRect(); var box = x.closest('.data, figure');
+        return r.width && r.right > %d + 1 && (!box || box === x); }).map(function (x) { return x.tagName + ' ' + x.textContent.slice(0, 40); }).join('; ')""" % width)
+    if out:
+        wrong.append(f'{name}: beyond the edge: {out[:300]}')
+    if pictures:
+        browser.picture(f'{pictures}/{name}.png')
+if browser.js("document.title").startswith('x'):
+    wrong.append('the title was changed by a name')
+wrong += browser.said
+browser.close()
+print('\n'.join(wrong) if wrong else f'live: {compared} numbers')
+sys.exit(bool(wrong))

@@ -1,0 +1,88 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The picture of a report's page that answers: its data are text, its script is the one the page allows, and
+ * in a browser its numbers are those of the tables. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "shell.h"
+
+/* A species table whose name would run as a script, and its page. */
+#define HOSTILE                                                                                              \
+    "mkdir -p $T; awk '/^name:/ { print \"name: \\\"</script><script>document.title=\\x27x\\x27//\\\"\"; "   \
+    "next } { "                                                                                              \
+    "print }' species/oak.yaml >$T/oak.yaml; $W compare $T/oak.yaml beech --model culm --wind 5,10,30 "      \
+    "--samples "                                                                                             \
+    "0 --no-pdf -q -o $T/out 2>$T/said; "
+
+static void data_are_text(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { HOSTILE
+          "grep -c -e 'innerHTML' -e 'document.write' -e 'eval(' reports/live.js; grep -o '<script[^>]*>' "
+          "$T/out/report.html; grep -o '<option value=.0.>[^/]*/script[^/]*//</option>' $T/out/report.html",
+          CODE_OK,
+          { "0\n<script type=\"application/json\" id=\"live-data\">\n<script>\n",
+            "<option value=\"0\">&lt;/script&gt;&lt;script&gt;document.title='x'//</option>" } },
+        { HOSTILE "python3 - $T/out/report.html <<'END'\n"
+                  "import base64, hashlib, re, sys\n"
+                  "page = open(sys.argv[1], encoding='utf-8').read()\n"
+                  "script = re.search(r'<script>(.*?)</script>', page, re.S).group(1)\n"
+                  "name = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()\n"
+                  "print(\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src "
+                  "'sha256-\" + name + "
+                  "\"'\" in page)\n"
+                  "END\n",
+          CODE_OK,
+          { "True" } },
+    };
+    CHECK(rows);
+}
+
+/* Nothing of it is printed. */
+static void nothing_is_printed(void **state)
+{
+    (void)state;
+    if (shell("command -v weasyprint && command -v pdftotext && command -v gnuplot")) skip();
+    static const struct row rows[] = {
+        { "$W analyze oak --model culm --wind 10 --samples 0 -q -o $T/out 2>$T/said; pdftotext "
+          "$T/out/report.pdf - | grep -c "
+          "-e slider -e 'arrow keys' -e 'winds that were computed'",
+          CODE_RUN,
+          { "0\n" } },
+    };
+    CHECK(rows);
+}
+
+static void in_a_browser(void **state)
+{
+    (void)state;
+    if (shell("command -v chromium")) {
+        print_message("no chromium (Debian package chromium): the page was not tried in a browser\n");
+        skip();
+    }
+    static const struct row rows[] = {
+        { "$W compare oak beech --model oak_20m --soil mineral --wind 15,25,35 --samples 0 --no-pdf -q -o "
+          "$T/out "
+          "2>$T/said; timeout 120 python3 tests/live.py $T/out chromium",
+          CODE_OK,
+          { "live: 34 numbers" } },
+        { HOSTILE "timeout 120 python3 tests/live.py $T/out chromium", CODE_OK, { "live: 34 numbers" } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(data_are_text),
+        cmocka_unit_test(nothing_is_printed),
+        cmocka_unit_test(in_a_browser),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
