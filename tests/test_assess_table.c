@@ -143,6 +143,16 @@ static void reports(void **state)
           "'Verdict: lost' row_3/report.html; grep -c '\"word\"' row_5/results.json",
           CODE_OK,
           { "2\nrow_3\nrow_5\n", "report.html\nresults.json\ntables\n1\n1\n" } },
+        { "printf '" HEAD "1,oak,20,250,14,4,=1+1\\n2,oak,20,250,14,4,-5\\n' >$T/t.csv; $W assess $T/t.csv "
+                          "-o $T/o.csv --xlsx" WIND
+          "; python3 -c 'import zipfile, sys; "
+          "print(zipfile.ZipFile(sys.argv[1]).read(\"xl/worksheets/sheet1.xml\").decode())' "
+          "$T/o.xlsx",
+          CODE_OK,
+          { "are no numbers: 1, the first in line 2", "<t>wf_verdict</t>", "<t>=1+1</t>", "<v>-5</v>" } },
+        { "$W assess docs/examples/cards.csv -o $T/o.xlsx" WIND,
+          CODE_INPUT,
+          { "--xlsx writes a workbook beside it" } },
         { "$W assess models/cards/oak.yaml --reports $T/r",
           CODE_INPUT,
           { "--reports: has no effect without a table" } },

@@ -184,7 +184,7 @@ static void names_are_a_list_of_texts(void **state)
         { "for n in elm '[]' '[[elm]]' \"[elm, '']\"; do\n"
           "sed \"s/^names:.*/names: $n/\" species/oak.yaml >$T/x.yaml; $W species show $T/x.yaml; done",
           CODE_INPUT,
-          { "5:8: error: names: a list of texts is expected, not",
+          { "6:8: error: names: a list of texts is expected, not",
             "names: the list is empty; texts are expected", "names[0]: a text is expected, not a list",
             "names[1]: a text is expected, not" } },
         { "$W schema species",

@@ -9,6 +9,7 @@
 #include "cmd/assess_row.h"
 #include "cmd/commands.h"
 #include "out/results.h"
+#include "out/workbook.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -33,6 +34,7 @@ struct table {
     size_t done, mistakes, failed;
     struct timespec began, shown;
     size_t resumed;
+    size_t formulas, first_formula; /* cells that a spreadsheet would compute; line of the first */
 };
 
 /* ---- What a table that is not finished is of ---- */
@@ -160,12 +162,27 @@ static enum wf_status report(struct table *t, struct wf_tree_row *row, struct wf
     return s;
 }
 
+/* Cells of the user stay as they are; those that a spreadsheet takes for formulas are counted. */
+static void count_formulas(struct table *t)
+{
+    for (size_t c = 0; c < t->rows.cells; c++) {
+        const char *text = t->rows.cell[c];
+        char *end;
+        bool sign = *text == '+' || *text == '-';
+        if (sign) (void)strtod(text, &end), sign = *end != '\0';
+        if (!sign && *text != '=' && *text != '@' && *text != '\t') continue;
+        if (!t->formulas++) t->first_formula = t->rows.line;
+    }
+}
+
 /* Some rows: read, assess side by side, write in order. Returned: *n rows; 0 at the end. */
 static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
 {
     enum wf_status s = WF_OK;
-    for (*n = 0; *n < BATCH && !s && wf_rows_next(&t->rows);)
+    for (*n = 0; *n < BATCH && !s && wf_rows_next(&t->rows);) {
+        count_formulas(t);
         s = wf_tree_row_read(t->columns, &t->rows, &t->row[(*n)++], e);
+    }
     if (!s) s = wf_parallel(*n, t->line->run.threads, assess, t, e);
     for (size_t k = 0; k < *n; k++) {
         if (!s && t->line->reports && t->row[k].state == WF_ROW_DONE) s = report(t, &t->row[k], e);
@@ -223,6 +240,38 @@ static void keep_line(void *context, const char *raw)
     if (more) t->before = more;
 }
 
+static enum wf_status fill_workbook(const struct table *t, struct wf_workbook *w, struct wf_err *e)
+{
+    struct wf_rows r;
+    const size_t most = 1048575; /* rows of a sheet below its head */
+    size_t row = 0;
+    enum wf_status s = wf_rows_open(&r, t->out, no_lines, NULL, e);
+    if (s) return s;
+    for (size_t c = 0; c < r.columns; c++) wf_workbook_cell(w, 0, c, r.name[c], false);
+    while (!s && wf_rows_next(&r)) {
+        if (r.blank) continue;
+        if (++row > most)
+            s = wf_fail(e, WF_EOUTPUT, "%s has more rows than a sheet of a workbook (%zu)", t->out, most);
+        for (size_t c = 0; c < r.cells; c++) wf_workbook_cell(w, row, c, r.cell[c], true);
+    }
+    wf_rows_close(&r);
+    return s;
+}
+
+/* The table as a workbook beside it, with .xlsx in the place of .csv. */
+static enum wf_status write_workbook(struct table *t, struct wf_err *e)
+{
+    struct wf_workbook *w;
+    size_t n = strlen(t->out);
+    if (n > 4 && !strcmp(t->out + n - 4, ".csv")) n -= 4;
+    const char *path = wf_arena_print(&t->arena, "%.*s.xlsx", (int)n, t->out);
+    if (!path) return wf_fail(e, WF_ENOMEM, "not enough memory for a workbook");
+    enum wf_status s = wf_workbook_open(&w, path, "trees", e);
+    if (s) return s;
+    if ((s = fill_workbook(t, w, e))) return wf_workbook_abandon(w), s;
+    return wf_workbook_close(w, e);
+}
+
 static enum wf_status finish(struct table *t, struct wf_err *e)
 {
     bool whole = !ferror(t->to) && !fclose(t->to);
@@ -238,6 +287,11 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     t->command = command;
     if (!t->out)
         return wf_fail(e, WF_EUSAGE, "-o is needed: the table to be written, for example -o assessed.csv");
+    size_t n = strlen(t->out);
+    if (n > 5 && !strcmp(t->out + n - 5, ".xlsx"))
+        return wf_fail(e, WF_EUSAGE,
+                       "-o %s: the table is a CSV, for example %.*s.csv; --xlsx writes a workbook beside it",
+                       t->out, (int)n - 5, t->out);
     t->partial = wf_arena_print(&t->arena, "%s.partial", t->out);
     t->note = wf_arena_print(&t->arena, "%s.partial.run", t->out);
     if (!t->partial || !t->note) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
@@ -254,7 +308,14 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     if (t->resumed && !t->line->run.args.quiet)
         wf_show(stderr, "goes on after %zu rows of %s\n", t->resumed, t->partial);
     s = all_rows(t, e);
-    return s ? s : finish(t, e);
+    if (t->formulas && !t->line->run.args.quiet)
+        wf_show(stderr,
+                "cells that begin with =, @, + or - and are no numbers: %zu, the first in line %zu; they are "
+                "kept, and a spreadsheet may "
+                "compute them\n",
+                t->formulas, t->first_formula);
+    if (!s) s = finish(t, e);
+    return s || !t->line->run.pages.xlsx ? s : write_workbook(t, e);
 }
 
 int wf_assess_table(const char *file, const struct wf_assess_options *line, const char *command)

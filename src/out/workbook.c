@@ -139,6 +139,14 @@ enum wf_status wf_workbook_close(struct wf_workbook *w, struct wf_err *e)
     return s;
 }
 
+void wf_workbook_abandon(struct wf_workbook *w)
+{
+    struct wf_err unsaid = { WF_OK, "" };
+    note(w, LXW_ERROR_WORKSHEET_INDEX_OUT_OF_RANGE); /* so that its file is not kept */
+    (void)finish(w, &unsaid);
+    free(w);
+}
+
 /* ---- A results folder ---- */
 
 static enum wf_status copy_table(struct wf_workbook *w, const char *path, const char *name, struct wf_diag *d,

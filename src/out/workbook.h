@@ -20,6 +20,8 @@ enum wf_status wf_workbook_open(struct wf_workbook **out, const char *path, cons
 /* A cell; rows and columns from 0; row 0 is bold and stays in sight. Rows must not descend. A text that is a
  * whole number or a decimal one, without more, is a number where `numbers` is true. */
 void wf_workbook_cell(struct wf_workbook *w, size_t row, size_t column, const char *text, bool numbers);
+/* Give it up, with its file, and free it. */
+void wf_workbook_abandon(struct wf_workbook *w);
 /* Finish and free; NULL is allowed. Errors: WF_EOUTPUT. */
 enum wf_status wf_workbook_close(struct wf_workbook *w, struct wf_err *e);
 #endif
