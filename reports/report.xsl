@@ -216,6 +216,10 @@
           </xsl:choose>
         </xsl:with-param>
       </xsl:call-template>
+      <xsl:if test="@name = 'front' and $trees[1]/winds/item[status = 'ok'][last()]/beyond_loss = 'true'">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">lv.beyond</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:if test="@name = 'safety' and $trees/verdict[within_limits = 'true' and criteria/item[governs = 'true']]/outcome = 'found'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
