@@ -190,13 +190,14 @@ static void stand_of_a_held_crown(void **state)
     const double held = 20;
     (void)state;
     make(&p, "mean", false);
-    for (size_t i = 0; i < p.an.tree.n; i++) p.an.tree.sail0[i] = p.an.tree.sail1[i] = 0.1;
+    for (size_t i = 0; i < p.an.tree.n; i++)
+        p.an.tree.sail0[i] = p.an.tree.sail1[i] = 4; /* more than the bare pole */
     p.an.loads.streamline = wf_streamline_named("vogel");
     p.an.loads.streamline_par = (struct wf_law_values){ .number = { -0.9, 5 }, .held = held };
     p.an.scenario.peak =
         (struct wf_peak_request){ .method = "gales",
                                   .damping = NAN,
-                                  .stand = { .height = height, .spacing = 4, .edge = NAN, .gap = NAN } };
+                                  .stand = { .height = height, .spacing = 20, .edge = NAN, .gap = NAN } };
     if (wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err))
         fail_msg("%s", p.c.err.text);
     double at = wf_peak_factor(p.an.peak, held, WF_PART_STEM);
