@@ -14,6 +14,7 @@
 <xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="cavities.xsl"/>
+<xsl:include href="unions.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
 
@@ -215,6 +216,10 @@
           </xsl:choose>
         </xsl:with-param>
       </xsl:call-template>
+      <xsl:if test="@name = 'front' and $trees[1]/winds/item[status = 'ok'][last()]/beyond_loss = 'true'">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">lv.beyond</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:if test="@name = 'safety' and $trees/verdict[within_limits = 'true' and criteria/item[governs = 'true']]/outcome = 'found'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
@@ -387,6 +392,7 @@
         <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
         <xsl:if test="$trees/interval"><xsl:call-template name="intervals"/></xsl:if>
         <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
+        <xsl:if test="$trees/unions"><xsl:call-template name="union-tables"/></xsl:if>
         <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
         <xsl:if test="$trees/winter">

@@ -182,6 +182,32 @@ static void moments_of_stands(void **state)
     assert_close(wf_stand_moment(1.2, 20, 20, 3, 0), 0, 1e-15);
 }
 
+/* Beyond the evidence the crown's share is held on the tree and in the stand alike: all loads are then as the
+ * square of the wind, and the stand's share of the tree's own load is the same at all winds. */
+static void stand_of_a_held_crown(void **state)
+{
+    struct pole p;
+    const double held = 20;
+    (void)state;
+    make(&p, "mean", false);
+    for (size_t i = 0; i < p.an.tree.n; i++) p.an.tree.sail0[i] = p.an.tree.sail1[i] = 0.1;
+    p.an.loads.streamline = wf_streamline_named("vogel");
+    p.an.loads.streamline_par = (struct wf_law_values){ .number = { -0.9, 5 }, .held = held };
+    p.an.scenario.peak =
+        (struct wf_peak_request){ .method = "gales",
+                                  .damping = NAN,
+                                  .stand = { .height = height, .spacing = 4, .edge = NAN, .gap = NAN } };
+    if (wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err))
+        fail_msg("%s", p.c.err.text);
+    double at = wf_peak_factor(p.an.peak, held, WF_PART_STEM);
+    assert_true(at > 0);
+    assert_close(wf_peak_factor(p.an.peak, 1.5 * held, WF_PART_STEM), at, 1e-6);
+    assert_close(wf_peak_factor(p.an.peak, 3 * held, WF_PART_STEM), at, 1e-6);
+    double below = wf_peak_factor(p.an.peak, 0.5 * held, WF_PART_STEM);
+    assert_true(fabs(below / at - 1) > 0.01); /* the stand's drag area counts */
+    wf_arena_free(&p.c.arena);
+}
+
 /* At the critical winds of the tree, its stem and its branches the safety is 1, each at its own peak:
  * branches at that of a load that a gust reaches at once. */
 static void critical_at_the_peak(void **state)
@@ -292,6 +318,7 @@ int main(void)
         cmocka_unit_test(multiplies_the_wind_alone),
         cmocka_unit_test(methods_without_sway),
         cmocka_unit_test(stands),
+        cmocka_unit_test(stand_of_a_held_crown),
         cmocka_unit_test(moments_of_stands),
         cmocka_unit_test(critical_at_the_peak),
     };

@@ -13,6 +13,7 @@
 #include "study/directions.h"
 #include "study/interval.h"
 #include "study/peak.h"
+#include "study/unions.h"
 #include "study/verdict.h"
 #include "study/wetted.h"
 #include "wind/category.h"
@@ -287,6 +288,37 @@ static void print_branches(FILE *to, const struct wf_analysis *an)
     for (size_t i = 0; i < n; i++)
         if (k[i].segments) print_class(to, an, &k[i]);
     wf_show(to, "  'fails at': the lowest of the given winds at which one of them fails\n");
+}
+
+static void print_union(FILE *to, const struct wf_analysis *an, const struct wf_union *u)
+{
+    print_number(to, 10, 2, u->height);
+    print_number(to, 10, 1, 100 * u->branch_diameter);
+    print_number(to, 10, 1, 100 * u->above_diameter);
+    print_number(to, 10, 1, 100 * u->below_diameter);
+    print_number(to, 10, 2, u->ratio);
+    wf_show(to, "   %s (id %lld beside %lld)\n", u->in->text, (long long)an->tree.id[u->branch],
+            (long long)an->tree.id[u->above]);
+}
+
+/* Unions, where they are listed: how many of each class, the largest aspect ratios. */
+static void print_unions(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_unions *u = an->unions;
+    if (!u) return;
+    wf_show(to, "\n  Unions of branches from %.3g cm and forks: %zu", 100 * an->search.branches_from, u->n);
+    if (!u->n) wf_show(to, "; none is drawn");
+    for (size_t k = WF_UNION_CLASSES; u->n && k-- > 0;)
+        wf_show(to, "%s %zu %s", k == WF_UNION_CLASSES - 1 ? ":" : ",", wf_unions_of(u, &wf_union_classes[k]),
+                wf_union_classes[k].text);
+    fputc('\n', to);
+    if (u->n)
+        wf_show(to, "%10s%10s%10s%10s%10s   %s\n%10s%10s%10s%10s\n", "at m", "branch", "parent", "parent",
+                "aspect", "class (" WF_UNIONS_SOURCE ")", "", "cm", "above, cm", "below, cm");
+    for (size_t k = 0; k < u->n && k < WF_UNIONS_SHOWN; k++) print_union(to, an, &u->item[k]);
+    if (u->n > WF_UNIONS_SHOWN)
+        wf_show(to, "  the %d largest aspect ratios; all are in tables/unions.csv\n", WF_UNIONS_SHOWN);
+    wf_show(to, "  " WF_UNIONS_UNASSESSED "; included bark is not seen\n");
 }
 
 /* The part that fails first, where it is not the stem; it does not make the headline. */
@@ -596,6 +628,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     print_criteria(to, an);
     wf_print_interval(to, an);
     print_branches(to, an);
+    print_unions(to, an);
     wf_print_walls(to, an);
     wf_print_wetted(to, an);
     print_directions(to, an);

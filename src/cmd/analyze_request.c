@@ -124,6 +124,10 @@ const struct wf_option wf_analyze_options[] = {
     WF_ANCHORAGE_ROWS(anchorage),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
+    FLAG("--unions", unions,
+         "also list the unions of branches from that thickness and forks by aspect ratio, the branch's "
+         "diameter "
+         "over that of the parent; their strength is not assessed"),
     NUMBER("--corridor", corridor, "DISTANCE", LENGTH, "m", 0.01, 200, NULL,
            "distance of a corridor, as of a power line, from the base of the stem: also the wind in which a "
            "part of the tree reaches it"),
@@ -280,6 +284,7 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;
     out->search.branches_from = o->branches_from;
+    out->search.unions = o->unions;
     out->interval = (struct wf_interval_request){ o->samples, o->seed, o->threads };
     if ((status = wf_interval_check(&out->interval, e))) return status;
     wf_solve_options_default(&out->solve);

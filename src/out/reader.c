@@ -29,7 +29,7 @@ static const struct {
     { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
             "searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+    { LIST, "union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
@@ -39,7 +39,7 @@ static const struct {
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
-    { NUMBER, "at_m from_m to_m wood_radius_mm thinnest_wall_mm strength_loss worst_towards_deg "
+    { NUMBER, "aspect_ratio ratio_from at_m from_m to_m wood_radius_mm thinnest_wall_mm strength_loss worst_towards_deg "
               "strength_loss_with_wind stiffness_loss safety_basic safety_present wall_share wall_safety "
               "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
               "bootstrap_low bound_high bound_low cell_m chi_square coherence_error components "
@@ -66,6 +66,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "unions above branch branch_diameter above_diameter below_diameter "
       "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
       "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "

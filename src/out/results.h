@@ -29,9 +29,9 @@ enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_
  * without memory. */
 const char *wf_run_date(struct wf_arena *a);
 
-/* Write FOLDER/results.json and FOLDER/tables/{summary,segments,shape,sweep}.csv, and directions.csv where
- * there are directions; the folder is made. All are complete or none is replaced. Numbers that are not finite
- * become null with a reason (JSON) or an empty cell (CSV). Errors: WF_EUSAGE for a run without analyses or
- * with differing wind lists, WF_EOUTPUT, WF_ENOMEM. */
+/* Write FOLDER/results.json and FOLDER/tables/{summary,segments,shape,sweep}.csv, directions.csv where
+ * there are directions, and unions.csv where unions are listed; the folder is made. All are complete or none
+ * is replaced. Numbers that are not finite become null with a reason (JSON) or an empty cell (CSV). Errors:
+ * WF_EUSAGE for a run without analyses or with differing wind lists, WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_results_write(const struct wf_run *run, const char *folder, struct wf_err *e);
 #endif

@@ -4,6 +4,7 @@
 #include "data/species.h"
 #include "study/directions.h"
 #include "study/peak.h"
+#include "study/unions.h"
 #include "study/verdict.h"
 #include "wind/climate.h"
 #include <math.h>
@@ -24,7 +25,7 @@ static void cells(FILE *f, size_t n, const double *x)
     for (size_t i = 0; i < n; i++) cell(f, x[i]);
 }
 
-static void lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
+static void lead_tree(FILE *f, const struct wf_run *run, size_t tree)
 {
     fprintf(f, "%zu,", tree + 1);
     const char *key = run->analysis[tree].species->key;
@@ -34,6 +35,11 @@ static void lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
         putc(*c, f);
     }
     putc('"', f);
+}
+
+static void lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
+{
+    lead_tree(f, run, tree);
     cell(f, speed);
 }
 
@@ -272,6 +278,31 @@ static size_t write_directions(const struct wf_run *run, FILE *f)
     return rows;
 }
 
+static bool unions_made(const struct wf_run *run) { return run->analysis[0].unions != NULL; }
+
+static size_t write_unions(const struct wf_run *run, FILE *f)
+{
+    size_t rows = 0;
+    fputs("tree,species,segment,segment_above,segment_below,level,height_m,branch_diameter_mm,above_diameter_"
+          "mm,"
+          "below_diameter_mm,aspect_ratio,class\n",
+          f);
+    for (size_t i = 0; i < run->n; i++) {
+        const struct wf_analysis *a = &run->analysis[i];
+        for (size_t k = 0; k < a->unions->n; k++, rows++) {
+            const struct wf_union *u = &a->unions->item[k];
+            const double row[] = { u->height, 1e3 * u->branch_diameter, 1e3 * u->above_diameter,
+                                   1e3 * u->below_diameter, u->ratio };
+            lead_tree(f, run, i);
+            fprintf(f, ",%ld,%ld,%ld,%ld", u->branch + 1L, u->above + 1L, u->below + 1L,
+                    (long)a->tree.level[u->branch]);
+            cells(f, WF_COUNT(row), row);
+            fprintf(f, ",%s\n", u->in->name);
+        }
+    }
+    return rows;
+}
+
 const struct wf_table wf_tables[] = {
     { "tables/summary.csv", "totals of each tree at each wind speed", write_summary, NULL },
     { "tables/segments.csv",
@@ -283,6 +314,8 @@ const struct wf_table wf_tables[] = {
       NULL },
     { "tables/directions.csv", "totals, critical wind speeds and hours a year by direction of the wind",
       write_directions, directions_made },
+    { "tables/unions.csv", "unions of branches and forks, the largest aspect ratio first", write_unions,
+      unions_made },
     { NULL, NULL, NULL, NULL },
 };
 

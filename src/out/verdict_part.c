@@ -5,6 +5,7 @@
 #include "out/tables.h"
 #include "study/assessment.h"
 #include "study/limits.h"
+#include "study/unions.h"
 #include "study/verdict.h"
 #include <math.h>
 #include <string.h>
@@ -147,6 +148,42 @@ json_t *wf_part_verdict(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_put(d, o, "anchorage", anchorage(d, a->anchorage));
     wf_doc_quantity(d, o, "branches_from", a->search.branches_from, "m", NULL);
     wf_doc_put(d, o, "thicknesses", branches(d, a));
+    return o;
+}
+
+/* ---- Unions ---- */
+
+static json_t *union_part(struct wf_doc *d, const struct wf_analysis *a, const struct wf_union *u)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_put(d, o, "branch", wf_part_section(d, a, u->branch, 0, u->height));
+    wf_doc_put(d, o, "above", wf_part_section(d, a, u->above, 0, u->height));
+    wf_doc_quantity(d, o, "height", u->height, "m", NULL);
+    wf_doc_quantity(d, o, "branch_diameter", u->branch_diameter, "m", NULL);
+    wf_doc_quantity(d, o, "above_diameter", u->above_diameter, "m", NULL);
+    wf_doc_quantity(d, o, "below_diameter", u->below_diameter, "m", "they part at the ground");
+    wf_doc_number(d, o, "aspect_ratio", u->ratio);
+    wf_doc_text(d, o, "kind", u->in->name);
+    return o;
+}
+
+json_t *wf_part_unions(struct wf_doc *d, const struct wf_analysis *a)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_count(d, o, "number", a->unions->n);
+    wf_doc_text(d, o, "text", WF_UNIONS_UNASSESSED);
+    wf_doc_text(d, o, "source", WF_UNIONS_SOURCE);
+    json_t *list = wf_doc_put(d, o, "union_classes", wf_doc_array(d));
+    for (size_t k = 0; k < WF_UNION_CLASSES; k++) {
+        json_t *x = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, x, "kind", wf_union_classes[k].name);
+        wf_doc_text(d, x, "text", wf_union_classes[k].text);
+        wf_doc_number(d, x, "ratio_from", wf_union_classes[k].from);
+        wf_doc_count(d, x, "number", wf_unions_of(a->unions, &wf_union_classes[k]));
+    }
+    list = wf_doc_put(d, o, "largest_unions", wf_doc_array(d));
+    for (size_t k = 0; k < a->unions->n && k < WF_UNIONS_SHOWN; k++)
+        wf_doc_add(d, list, union_part(d, a, &a->unions->item[k]));
     return o;
 }
 

@@ -18,4 +18,6 @@ json_t *wf_part_verdict(struct wf_doc *d, const struct wf_analysis *a);
 /* `loss` of a wind direction: criterion, outcome, mean and gust. */
 json_t *wf_part_loss(struct wf_doc *d, const struct wf_analysis *a,
                      const struct wf_break (*breaks)[WF_SCOPES]);
+/* `unions` of a tree that has them listed: classes, and the WF_UNIONS_SHOWN of the largest aspect ratios. */
+json_t *wf_part_unions(struct wf_doc *d, const struct wf_analysis *a);
 #endif

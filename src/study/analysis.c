@@ -12,6 +12,7 @@
 #include "study/node.h"
 #include "study/rest.h"
 #include "study/sway.h"
+#include "study/unions.h"
 #include <math.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -233,6 +234,16 @@ static enum wf_status analyze_bare(struct wf_analysis *an, const struct wf_solve
     return s;
 }
 
+/* The list of unions, where it is specified. */
+static enum wf_status list_unions(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
+{
+    if (!an->search.unions) return WF_OK;
+    struct wf_unions *u = WF_TAKE(a, 1, struct wf_unions);
+    an->unions = u;
+    return u ? wf_unions_list(&an->tree, an->search.branches_from, a, u, e)
+             : wf_fail(e, WF_ENOMEM, "no memory for unions");
+}
+
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
@@ -248,6 +259,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
     };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
+    if ((s = list_unions(out, a, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
     if (!q.bare) out->modes = lowest_modes(out, o, a);
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))

@@ -100,7 +100,8 @@ static double own_moment(const struct wf_peak *p, double speed, double *area, do
     wind.sample(&wind, high, u, gradient);
     *top = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     double leaves = 0.0, axes = 0.0, pressure = 0.5 * loads.air_density * *top * *top;
-    double share = loads.streamline ? loads.streamline->share(&loads.streamline_par, *top, &unused) : 1.0;
+    double share =
+        loads.streamline ? wf_streamline_share(loads.streamline, &loads.streamline_par, *top, &unused) : 1.0;
     for (size_t i = 0; i < t->n; i++) {
         const double from[3] = { t->x0[i], t->y0[i], t->z0[i] }, to[3] = { t->x1[i], t->y1[i], t->z1[i] };
         double axis[3], length = wf_tree_length(t, i);

@@ -75,8 +75,10 @@ struct wf_search {
     double
         seconds; /* processor time after which the search, and again the curves, end [s]; INFINITY: no end */
     double branches_from; /* diameter from which branches are listed; thinner ones are twigs [m] */
-    bool bare; /* of the stem alone the given winds, and the lowest in which it is lost: other criteria are then
-                  WF_CRITICAL_UNSEARCHED; there are neither curves nor modes, nor columns of the given winds */
+    bool unions;          /* unions of such branches are listed (study/unions.h) */
+    bool bare; /* of the stem alone the given winds, and the lowest in which it is lost: other criteria are
+                  then WF_CRITICAL_UNSEARCHED; there are neither curves nor modes, nor columns of the given
+                  winds */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;
@@ -96,6 +98,7 @@ struct wf_wetted;
 struct wf_sway_modes;
 struct wf_interval;
 struct wf_assessment;
+struct wf_unions;
 /* How a sample of a tree differs from the tree as measured. */
 struct wf_misread {
     double radius, height; /* factors on all its radii; on all its lengths [-] */
@@ -128,6 +131,7 @@ struct wf_analysis {
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
     const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
     const struct wf_assessment *assessment; /* study/assessment.h; NULL: not specified */
+    const struct wf_unions *unions;         /* where search.unions says so (study/unions.h); else NULL */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
 };
