@@ -66,6 +66,10 @@ static void cards(void **state)
         { "$W assess models/cards/oak.yaml --samples 0 --water-film 0.3mm",
           CODE_OK,
           { "rain on the leaves: 239.9 kg, 0.3 mm on 799.7 m2", "rain-leaf-area", "lost at" } },
+        { "$W assess --species norway_spruce --height 22m --girth 110cm --crown-width 5m --crown-base 9m "
+          "--wind 10 --samples 0",
+          CODE_OK,
+          { "card-stand", "63 times as high as thick" } },
         { "$W assess models/cards/oak.yaml --samples 0 --rain 10mm/h",
           CODE_OK,
           { "rain on the leaves: 239.9 kg" } },

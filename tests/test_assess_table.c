@@ -144,12 +144,20 @@ static void reports(void **state)
           CODE_OK,
           { "2\nrow_3\nrow_5\n", "report.html\nresults.json\ntables\n1\n1\n" } },
         { "printf '" HEAD "1,oak,20,250,14,4,=1+1\\n2,oak,20,250,14,4,-5\\n' >$T/t.csv; $W assess $T/t.csv "
-                          "-o $T/o.csv --xlsx" WIND
-          "; python3 -c 'import zipfile, sys; "
+          "-o $T/o.csv --xlsx" WIND "; python3 -c 'import zipfile, sys; "
           "print(zipfile.ZipFile(sys.argv[1]).read(\"xl/worksheets/sheet1.xml\").decode())' "
           "$T/o.xlsx",
           CODE_OK,
           { "are no numbers: 1, the first in line 2", "<t>wf_verdict</t>", "<t>=1+1</t>", "<v>-5</v>" } },
+        { "$W assess docs/examples/forty_trees.csv -q -o $T/o.csv --samples 0 --soil mineral --wind 'gust:33 "
+          "m/s' && "
+          "grep -v '^#' $T/o.csv | awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }"
+          " { g = $at[\"wf_critical_gust_m_s\"]; s = $at[\"wf_stand_critical_gust_m_s\"];"
+          " ok += $at[\"wf_status\"] == \"assessed\" && g > 12 && g < 50 && (s == \"\" || (s > 28 && s < 48 "
+          "&& s > g)) }"
+          " END { print ok, \"of forty\" }'",
+          CODE_OK,
+          { "40 of forty" } },
         { "$W assess docs/examples/cards.csv -o $T/o.xlsx" WIND,
           CODE_INPUT,
           { "--xlsx writes a workbook beside it" } },

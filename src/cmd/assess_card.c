@@ -281,6 +281,13 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     struct wf_card c = card_of(o);
     enum wf_status s = wf_card_check(&c, sp ? sp->latin : NULL, d, e);
     if (s || !sp) return s;
+    if (wf_card_of_stand(&c) && isnan(o->run.peak.spacing))
+        wf_diag_warn(d, "card-stand",
+                     "a tree so slender (%.0f times as high as thick) with so high a crown grew in a stand; "
+                     "without --spacing it is "
+                     "assessed as one that stands alone in the open, which its neighbours' shelter does not "
+                     "help: far lower winds",
+                     o->height / (isnan(o->dbh) ? o->girth / WF_PI : o->dbh));
     if ((s = wf_card_model(&c, sp, a, out, e))) return s;
     if (o->name) out->name = o->name;
     beside.crown.width = beside.crown.depth = beside.crown.area = NAN; /* they are the card's */

@@ -204,6 +204,11 @@ enum wf_status wf_card_check(const struct wf_card *c, const char *latin, struct 
     return WF_OK;
 }
 
+bool wf_card_of_stand(const struct wf_card *c)
+{
+    return c->height > 60 * card_dbh(c) && c->crown_base > 0.35 * c->height;
+}
+
 /* ---- The card as a model ---- */
 
 enum { PLACES = 24, SEGMENTS = 10 };

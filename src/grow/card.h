@@ -71,4 +71,7 @@ struct wf_card_change {
  * the crown or of a wall is left; WF_ENOMEM. */
 enum wf_status wf_card_change(const struct wf_card_change *x, struct wf_arena *a, struct wf_model *m,
                               double *cut, struct wf_err *e);
+/* Whether a tree of such a card grew in a stand: 60 times as high as thick, its crown above 0.35 of the
+ * height (a rule). */
+bool wf_card_of_stand(const struct wf_card *c);
 #endif
