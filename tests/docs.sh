@@ -43,7 +43,7 @@ without_pages() {
 
 commands README.md docs/*.md | sort -u >"$here/list"
 # what others read is written first; those that read what another writes come last
-{ grep -E 'windfirm init ' "$here/list"; grep -vE 'windfirm init | report |tree info tree.csv' "$here/list"; grep -E ' report |tree info tree.csv' "$here/list"; } >"$here/order"
+{ grep -E 'windfirm init ' "$here/list"; grep -vE 'windfirm init | report |tree info tree.csv|--from out' "$here/list"; grep -E ' report |tree info tree.csv|--from out' "$here/list"; } >"$here/order"
 cd "$here" || exit 1
 while read -r line; do
     why=$(reason_to_skip "$line")
