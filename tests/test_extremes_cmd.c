@@ -31,7 +31,7 @@ static void by_hand(void **state)
         /* the same in km/h and as hourly means: times 1.0504 by Durst */
         { "printf 'Year;Wind (km/h)\\n2001;72\\n2002;75,6\\n2003;79,2\\n2004;82,8\\n2005;86,4\\n2006;90\\n' "
           ">$T/a.csv; " X "--annual $T/a.csv --column wind_kmh --on speed --method l-moments --periods 50 "
-                          "--averaging-time 1h",
+          "--averaging-time 1h",
           CODE_OK,
           { "29.51", "1.05", "few-years" } },
         { RECORD("1990", "1995") X "--record $T/r.csv --on speed --method l-moments --periods 50",
@@ -78,6 +78,10 @@ static void mistakes_are_named(void **state)
 {
     (void)state;
     static const struct row rows[] = {
+        /* a folder of that name is no subcommand */
+        { "W=$(realpath $W); cd $T && $W wind kaimal --duration 20s --no-plots -o extremes && ls extremes",
+          CODE_OK,
+          { "results.json" } },
         { X, CODE_INPUT, { "one of --annual, --record, --weibull-scale and --dams is needed" } },
         { X "--annual docs/examples/annual.csv --dams 12", CODE_INPUT, { "only one of" } },
         { X "--annual none.csv", CODE_INPUT, { "none.csv" } },

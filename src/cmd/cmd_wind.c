@@ -531,8 +531,7 @@ int wf_cmd_wind(int argc, char **argv)
     struct wf_arena arena = { 0 };
     struct wind_options o = { 0 };
     struct wf_err e = { 0 };
-    for (int i = 1; i < argc; i++)
-        if (!strcmp(argv[i], "extremes")) return wf_wind_extremes(argc, argv);
+    if (argc > 1 && !strcmp(argv[1], "extremes")) return wf_wind_extremes(argc, argv);
     int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && strcmp(o.args.operand[0], "list") == 0) code = list_models();
     struct wf_doc_head head;
