@@ -284,3 +284,25 @@ enum wf_status wf_marks_strike(struct wf_csv *c, size_t column, double factor, b
     *struck = m.missing;
     return WF_OK;
 }
+
+/* Readings. */
+
+bool wf_readings_add(struct wf_readings *r, double value, double beside, size_t line)
+{
+    if (r->n == r->room) {
+        size_t room = r->room ? 2 * r->room : 4096;
+        double *v = realloc(r->value, room * sizeof *v);
+        if (v) r->value = v;
+        double *b = realloc(r->beside, room * sizeof *b);
+        if (b) r->beside = b;
+        size_t *l = realloc(r->line, room * sizeof *l);
+        if (l) r->line = l;
+        if (!v || !b || !l) return false;
+        r->room = room;
+    }
+    r->line[r->n] = line;
+    r->value[r->n] = value, r->beside[r->n++] = beside;
+    return true;
+}
+
+void wf_readings_free(struct wf_readings *r) { free(r->value), free(r->beside), free(r->line); }

@@ -58,4 +58,14 @@ bool wf_marks_find(struct wf_marks *m, double *value, size_t n);
 enum wf_status wf_marks_strike(struct wf_csv *c, size_t column, double factor, bool none, bool alone,
                                double *value, const size_t *line, size_t n, const char *const how[2],
                                size_t *struck, struct wf_err *e);
+
+/* Readings of a record that grow row by row: a value, another beside it (a time, a direction), the line. */
+struct wf_readings {
+    size_t n, room;
+    double *value, *beside;
+    size_t *line;
+};
+/* Add a row. Returned: false without memory; the rows before stay. */
+bool wf_readings_add(struct wf_readings *r, double value, double beside, size_t line);
+void wf_readings_free(struct wf_readings *r);
 #endif

@@ -13,34 +13,6 @@
 enum { YEARS_MAX = 10000, ROWS_MAX = 20000000 };
 static const double highest = 200; /* no wind near the ground is above it [m/s] */
 
-/* ---- Rows of a file ---- */
-
-struct rows {
-    size_t n, room;
-    double *speed, *time; /* in the column's unit; [s] of the clock, or the year */
-    size_t *line;
-};
-
-static bool add_row(struct rows *r, double speed, double time, size_t line)
-{
-    if (r->n == r->room) {
-        size_t room = r->room ? 2 * r->room : 4096;
-        double *u = realloc(r->speed, room * sizeof *u);
-        if (u) r->speed = u;
-        double *t = realloc(r->time, room * sizeof *t);
-        if (t) r->time = t;
-        size_t *l = realloc(r->line, room * sizeof *l);
-        if (l) r->line = l;
-        if (!u || !t || !l) return false;
-        r->room = room;
-    }
-    r->line[r->n] = line;
-    r->speed[r->n] = speed, r->time[r->n++] = time;
-    return true;
-}
-
-static void free_rows(struct rows *r) { free(r->speed), free(r->time), free(r->line); }
-
 /* ---- A table of years ---- */
 
 static int by_year(const void *a, const void *b)
@@ -102,7 +74,7 @@ enum wf_status wf_annual_read(const char *path, const struct wf_annual_request *
 /* ---- A record ---- */
 
 static enum wf_status read_rows(struct wf_csv *c, const struct wf_annual_request *q, struct wf_clock *clock,
-                                double *factor, struct rows *r, struct wf_err *e)
+                                double *factor, struct wf_readings *r, struct wf_err *e)
 {
     double t, speed;
     size_t of_speed = wf_speed_column(c, q->column ? q->column : "speed_ms", factor, e);
@@ -112,13 +84,13 @@ static enum wf_status read_rows(struct wf_csv *c, const struct wf_annual_request
     while (wf_csv_next(c)) {
         bool timed = wf_clock_read(clock, c, of_time, &t);
         if (wf_csv_reading(c, of_speed, &speed) != WF_CSV_NUMBER || !timed) continue;
-        if (r->n == ROWS_MAX || !add_row(r, speed, t, c->row_line))
+        if (r->n == ROWS_MAX || !wf_readings_add(r, speed, t, c->row_line))
             return wf_fail(e, r->n == ROWS_MAX ? WF_EINPUT : WF_ENOMEM, "%s: too many rows (%zu)", c->file,
                            r->n);
     }
     static const char *const how[] = { "If it means that there is no reading, write '# missing: ",
                                        "' above the header" };
-    return wf_marks_strike(c, of_speed, *factor, false, true, r->speed, r->line, r->n, how, &struck, e);
+    return wf_marks_strike(c, of_speed, *factor, false, true, r->value, r->line, r->n, how, &struck, e);
 }
 
 /* The year in which a time's year of 12 months begins. */
@@ -129,12 +101,12 @@ static int year_of(const struct wf_clock *clock, double t, size_t begins)
     return (size_t)month < begins ? year - 1 : year;
 }
 
-static double median_step(const struct rows *r)
+static double median_step(const struct wf_readings *r)
 {
     double *step = malloc((r->n ? r->n : 1) * sizeof *step), middle = NAN;
     size_t n = 0;
     for (size_t i = 1; step && i < r->n; i++)
-        if (r->time[i] > r->time[i - 1]) step[n++] = r->time[i] - r->time[i - 1];
+        if (r->beside[i] > r->beside[i - 1]) step[n++] = r->beside[i] - r->beside[i - 1];
     if (n) {
         qsort(step, n, sizeof *step, wf_ascending);
         middle = step[n / 2];
@@ -143,13 +115,13 @@ static double median_step(const struct rows *r)
     return middle;
 }
 
-static enum wf_status sort_into_years(const struct rows *r, const struct wf_clock *clock, double factor,
-                                      const struct wf_annual_request *q, struct wf_arena *a,
+static enum wf_status sort_into_years(const struct wf_readings *r, const struct wf_clock *clock,
+                                      double factor, const struct wf_annual_request *q, struct wf_arena *a,
                                       struct wf_annual *out, struct wf_err *e)
 {
     int first = INT32_MAX, last = INT32_MIN;
     for (size_t i = 0; i < r->n; i++) {
-        int y = year_of(clock, r->time[i], q->begins);
+        int y = year_of(clock, r->beside[i], q->begins);
         first = y < first ? y : first, last = y > last ? y : last;
     }
     if (!r->n || last - first >= YEARS_MAX)
@@ -159,10 +131,10 @@ static enum wf_status sort_into_years(const struct rows *r, const struct wf_cloc
     if (!take_years(out, out->n, a)) return wf_fail(e, WF_ENOMEM, "not enough memory for the years");
     for (size_t i = 0; i < out->n; i++) out->year[i] = (struct wf_annual_year){ .year = first + (int)i };
     for (size_t i = 0; i < r->n; i++) {
-        struct wf_annual_year *y = &out->year[year_of(clock, r->time[i], q->begins) - first];
-        if (isnan(r->speed[i])) continue;
+        struct wf_annual_year *y = &out->year[year_of(clock, r->beside[i], q->begins) - first];
+        if (isnan(r->value[i])) continue;
         y->rows++;
-        y->largest = fmax(y->largest, factor * r->speed[i]);
+        y->largest = fmax(y->largest, factor * r->value[i]);
     }
     return WF_OK;
 }
@@ -199,7 +171,7 @@ enum wf_status wf_annual_from_record(const char *path, const struct wf_annual_re
                                      struct wf_diag *d, struct wf_annual *out, struct wf_err *e)
 {
     struct wf_csv csv = { 0 };
-    struct rows r = { 0 };
+    struct wf_readings r = { 0 };
     struct wf_clock clock = { .dates = q->dates };
     struct wf_err found = { 0 };
     size_t errors = d->errors;
@@ -210,11 +182,11 @@ enum wf_status wf_annual_from_record(const char *path, const struct wf_annual_re
     if (!s) s = read_rows(&csv, q, &clock, &factor, &r, &found);
     if (!s && d->errors > errors) s = wf_fail(&found, WF_EINPUT, "%s: the record cannot be used", path);
     if (!s)
-        s = wf_clock_settle(&clock, path, "--dates day-first or --dates month-first", r.time, r.n, &found);
-    if (!s && r.n && !wf_clock_date(&clock, r.time[0], &year, &month))
+        s = wf_clock_settle(&clock, path, "--dates day-first or --dates month-first", r.beside, r.n, &found);
+    if (!s && r.n && !wf_clock_date(&clock, r.beside[0], &year, &month))
         s = wf_fail(&found, WF_EINPUT, "%s: its times are not dates; the year of a row is needed", path);
     if (!s) s = sort_into_years(&r, &clock, factor, q, a, out, &found);
     if (!s) out->step = median_step(&r), leave_short_years(q, out, d), use_years(out);
-    free_rows(&r);
+    wf_readings_free(&r);
     return s ? wf_fail(e, s, "%s", found.text) : WF_OK;
 }

@@ -50,32 +50,12 @@ static void fit_weibull(const double *x, size_t n, struct wf_rose_fit *out)
 /* ---- Rows ---- */
 
 struct rows {
-    size_t n, room;
-    double *speed; /* in the column's unit, then [m/s]; NAN: a missing mark */
-    size_t *line;
-    double *direction;               /* [deg]; NAN: none                             */
-    bool names;                      /* directions are names of sixteen              */
+    struct wf_readings of; /* speeds in the column's unit, then [m/s], NAN: a missing mark; beside them
+                              directions [deg], NAN: none */
+    bool names;            /* directions are names of sixteen              */
     size_t first_line, first_column; /* first speed that is no number  */
     char first_text[40];
 };
-
-static bool add_row(struct rows *r, double speed, double direction, size_t line)
-{
-    if (r->n == r->room) {
-        size_t room = r->room ? 2 * r->room : 4096;
-        double *u = realloc(r->speed, room * sizeof *u);
-        if (u) r->speed = u;
-        double *v = realloc(r->direction, room * sizeof *v);
-        if (v) r->direction = v;
-        size_t *l = realloc(r->line, room * sizeof *l);
-        if (l) r->line = l;
-        if (!u || !v || !l) return false;
-        r->room = room;
-    }
-    r->line[r->n] = line;
-    r->speed[r->n] = speed, r->direction[r->n++] = direction;
-    return true;
-}
 
 static bool one_of(const char *text, const char *const *words)
 {
@@ -114,13 +94,13 @@ static enum wf_status strike_marks(struct wf_csv *c, size_t column, double facto
                                        "' above the header" };
     size_t kept = 0, struck;
     enum wf_status s =
-        wf_marks_strike(c, column, factor, false, true, r->speed, r->line, r->n, how, &struck, e);
+        wf_marks_strike(c, column, factor, false, true, r->of.value, r->of.line, r->of.n, how, &struck, e);
     if (s) return s;
     out->missing += struck;
-    for (size_t i = 0; i < r->n; i++)
-        if (!isnan(r->speed[i]))
-            r->speed[kept] = r->speed[i] * factor, r->direction[kept++] = r->direction[i];
-    r->n = kept;
+    for (size_t i = 0; i < r->of.n; i++)
+        if (!isnan(r->of.value[i]))
+            r->of.value[kept] = r->of.value[i] * factor, r->of.beside[kept++] = r->of.beside[i];
+    r->of.n = kept;
     return WF_OK;
 }
 
@@ -168,7 +148,7 @@ static enum wf_status read_rows(const char *path, const struct wf_rose_request *
     while (wf_csv_next(&csv)) {
         out->rows++;
         if (!read_speed(&csv, of_speed, r, out, &speed)) continue;
-        if (!add_row(r, speed, read_direction(&csv, of_direction, r), csv.row_line))
+        if (!wf_readings_add(&r->of, speed, read_direction(&csv, of_direction, r), csv.row_line))
             return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", path, out->rows);
     }
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the record cannot be used", path);
@@ -186,8 +166,8 @@ static double direction_step(const struct rows *r)
     static const double steps[] = { 45.0, 30.0, 22.5, 20.0, 15.0, 10.0, 5.0 };
     for (size_t k = 0; k < WF_COUNT(steps); k++) {
         bool all = true;
-        for (size_t i = 0; i < r->n && all; i++) {
-            double place = r->direction[i] / steps[k];
+        for (size_t i = 0; i < r->of.n && all; i++) {
+            double place = r->of.beside[i] / steps[k];
             all = isnan(place) || fabs(place - round(place)) < 1e-3;
         }
         if (all) return steps[k];
@@ -205,13 +185,13 @@ static size_t sector_of_wind(double degrees, size_t sectors)
 
 static void count_rows(const struct rows *r, struct wf_rose_record *out)
 {
-    for (size_t i = 0; i < r->n; i++) {
-        bool wind = r->speed[i] > 0.0, directed = !isnan(r->direction[i]);
+    for (size_t i = 0; i < r->of.n; i++) {
+        bool wind = r->of.value[i] > 0.0, directed = !isnan(r->of.beside[i]);
         out->calm += !wind;
         out->directed += wind && directed;
         out->undirected += wind && !directed;
-        if (wind && !directed) out->undirected_most = fmax(out->undirected_most, r->speed[i]);
-        if (wind) out->speed[out->n++] = r->speed[i];
+        if (wind && !directed) out->undirected_most = fmax(out->undirected_most, r->of.value[i]);
+        if (wind) out->speed[out->n++] = r->of.value[i];
     }
 }
 
@@ -224,10 +204,10 @@ static void fit_sectors(const struct rows *r, double *x, struct wf_rose_record *
     fit_weibull(out->speed, out->n, all);
     for (size_t s = 0; s < rose->sectors; s++) {
         size_t n = 0;
-        for (size_t i = 0; i < r->n; i++)
-            if (r->speed[i] > 0.0 && !isnan(r->direction[i]) &&
-                sector_of_wind(r->direction[i], rose->sectors) == s)
-                x[n++] = r->speed[i];
+        for (size_t i = 0; i < r->of.n; i++)
+            if (r->of.value[i] > 0.0 && !isnan(r->of.beside[i]) &&
+                sector_of_wind(r->of.beside[i], rose->sectors) == s)
+                x[n++] = r->of.value[i];
         struct wf_rose_fit *f = &out->fit[s];
         fit_weibull(x, n, f);
         if (!n) continue;
@@ -319,11 +299,11 @@ static enum wf_status make_rose(struct rows *r, size_t sectors, struct wf_arena 
     bool sixteen = r->names || out->step == 22.5 || out->step == 45.0;
     enum wf_status status = wf_rose_take(sectors ? sectors : sixteen ? 16 : 12, out->file, a, &out->rose, e);
     if (status) return status;
-    out->speed = WF_TAKE(a, r->n, double);
+    out->speed = WF_TAKE(a, r->of.n, double);
     out->fit = WF_TAKE(a, out->rose.sectors + 1, struct wf_rose_fit);
-    double *x = WF_TAKE(a, r->n, double);
+    double *x = WF_TAKE(a, r->of.n, double);
     if (!out->speed || !out->fit || !x)
-        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", out->file, r->n);
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", out->file, r->of.n);
     count_rows(r, out);
     qsort(out->speed, out->n, sizeof *out->speed, wf_ascending);
     fit_sectors(r, x, out);
@@ -342,9 +322,7 @@ enum wf_status wf_rose_from_record(const char *path, const struct wf_rose_reques
     *out = (struct wf_rose_record){ .file = path };
     enum wf_status status = read_rows(path, q, a, d, &r, out, e);
     if (!status) status = make_rose(&r, q->sectors, a, out, e);
-    free(r.speed);
-    free(r.direction);
-    free(r.line);
+    wf_readings_free(&r.of);
     if (status) return status;
     say_calms(out, d);
     say_few(out, d);
