@@ -108,15 +108,13 @@ void wf_workbook_cell(struct wf_workbook *w, size_t row, size_t column, const ch
     note(w, worksheet_write_string(w->sheet, (lxw_row_t)row, (lxw_col_t)column, text, row ? NULL : w->head));
 }
 
-static enum wf_status finish(struct wf_workbook *w, struct wf_err *e)
+/* Close the book, which frees it; its file stays only where `keep` is true and nothing failed. */
+static enum wf_status finish(struct wf_workbook *w, bool keep, struct wf_err *e)
 {
-    lxw_error closed = workbook_close(w->book); /* frees it */
-    note(w, closed);
-    if (w->first != LXW_NO_ERROR) {
-        wf_file_abandon(&w->file);
-        return wf_fail(e, WF_EOUTPUT, "%s: %s", w->file.path, lxw_strerror(w->first));
-    }
-    return wf_file_commit(&w->file, e);
+    note(w, workbook_close(w->book));
+    if (keep && w->first == LXW_NO_ERROR) return wf_file_commit(&w->file, e);
+    wf_file_abandon(&w->file);
+    return keep ? wf_fail(e, WF_EOUTPUT, "%s: %s", w->file.path, lxw_strerror(w->first)) : WF_OK;
 }
 
 enum wf_status wf_workbook_open(struct wf_workbook **out, const char *path, const char *sheet,
@@ -134,16 +132,14 @@ enum wf_status wf_workbook_open(struct wf_workbook **out, const char *path, cons
 
 enum wf_status wf_workbook_close(struct wf_workbook *w, struct wf_err *e)
 {
-    enum wf_status s = w ? finish(w, e) : WF_OK;
+    enum wf_status s = w ? finish(w, true, e) : WF_OK;
     free(w);
     return s;
 }
 
 void wf_workbook_abandon(struct wf_workbook *w)
 {
-    struct wf_err unsaid = { WF_OK, "" };
-    note(w, LXW_ERROR_WORKSHEET_INDEX_OUT_OF_RANGE); /* so that its file is not kept */
-    (void)finish(w, &unsaid);
+    (void)finish(w, false, NULL);
     free(w);
 }
 
@@ -192,9 +188,7 @@ enum wf_status wf_workbook_make(const char *folder, struct wf_diag *d, struct wf
         s = copy_table(&w, path, name, d, e);
     }
     if (w.book) {
-        struct wf_err closing = { 0 };
-        enum wf_status closed =
-            s ? (note(&w, LXW_ERROR_WORKSHEET_INDEX_OUT_OF_RANGE), finish(&w, &closing)) : finish(&w, e);
+        enum wf_status closed = finish(&w, !s, e);
         s = s ? s : closed;
     }
     for (int i = 0; i < n; i++) free(list[i]);
