@@ -14,7 +14,8 @@ const char *wf_extremes_share(double p, char text[static 32])
 double wf_extremes_gust(double mean)
 {
     double gust = NAN;
-    (void)wf_wind_average(wf_averaging_usual(WF_GUST_TIME), NULL, mean, WF_MEAN_TIME, WF_GUST_TIME, &gust, NULL);
+    (void)wf_wind_average(wf_averaging_usual(WF_GUST_TIME), NULL, mean, WF_MEAN_TIME, WF_GUST_TIME, &gust,
+                          NULL);
     return gust;
 }
 
@@ -97,13 +98,7 @@ static enum wf_status document(const struct wf_extremes *x, const struct wf_diag
 
 /* ---- Tables ---- */
 
-static void cell(FILE *f, double x)
-{
-    if (isfinite(x))
-        fprintf(f, ",%.6g", x);
-    else
-        fputc(',', f);
-}
+static void cell(FILE *f, double x) { wf_folder_cell(f, x, 6); }
 
 static void level_table(FILE *f, const struct wf_extremes *x)
 {
@@ -112,7 +107,8 @@ static void level_table(FILE *f, const struct wf_extremes *x)
     for (size_t k = 0; k < x->methods; k++) fprintf(f, ",%s_m_s", wf_extreme_rows[x->by[k].method].name);
     for (size_t i = 0; i < l->count; i++) {
         fprintf(f, "\n%.6g", l->years[i]);
-        cell(f, 1 / l->years[i]), cell(f, l->speed[i]), cell(f, wf_extremes_gust(l->speed[i])), cell(f, l->low[i]), cell(f, l->high[i]);
+        cell(f, 1 / l->years[i]), cell(f, l->speed[i]), cell(f, wf_extremes_gust(l->speed[i])),
+            cell(f, l->low[i]), cell(f, l->high[i]);
         for (size_t k = 0; k < x->methods; k++) cell(f, x->by[k].speed[i]);
     }
     fputc('\n', f);

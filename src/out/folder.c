@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -213,4 +214,12 @@ json_t *wf_folder_list(const json_t *root)
     json_t *list = json_object_get(root, "run_files");
     if (!json_is_array(list) || json_array_size(list) > LISTED_MAX) return NULL;
     return names_files(list) ? list : NULL;
+}
+
+void wf_folder_cell(FILE *f, double x, int digits)
+{
+    if (isfinite(x))
+        fprintf(f, ",%.*g", digits, x + 0.0); /* no -0 */
+    else
+        putc(',', f);
 }

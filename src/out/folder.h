@@ -19,6 +19,9 @@ enum wf_status wf_folder_make(const char *folder, struct wf_err *e);
  * WF_EOUTPUT for a name that is too long. */
 enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
 
+/* A number in a row of a table, behind a comma, with so many digits; what is not finite is an empty cell. */
+void wf_folder_cell(FILE *f, double x, int digits);
+
 #define WF_DOCUMENT "results.json"
 enum { WF_ROOMS = 3, WF_NAME_MAX = 256 };
 extern const char *const wf_folder_rooms[WF_ROOMS]; /* tables, plots, vtk */

@@ -90,13 +90,7 @@ json_t *wf_part_interval(struct wf_doc *d, const struct wf_analysis *a)
 
 /* ---- Tables ---- */
 
-static void cell(FILE *f, double x)
-{
-    if (isfinite(x))
-        fprintf(f, ",%.6g", x + 0.0);
-    else
-        fputc(',', f);
-}
+static void cell(FILE *f, double x) { wf_folder_cell(f, x, 6); }
 
 static void curve_table(FILE *f, const struct wf_analysis *a)
 {

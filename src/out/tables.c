@@ -2,6 +2,7 @@
 #include "out/tables.h"
 #include "base/num.h"
 #include "data/species.h"
+#include "out/folder.h"
 #include "study/directions.h"
 #include "study/peak.h"
 #include "study/unions.h"
@@ -12,13 +13,7 @@
 static const double degrees = 57.295779513082320877; /* 180 / pi */
 
 /* Adding zero turns -0 into 0. */
-static void cell(FILE *f, double x)
-{
-    if (isfinite(x))
-        fprintf(f, ",%.10g", x + 0.0);
-    else
-        putc(',', f);
-}
+static void cell(FILE *f, double x) { wf_folder_cell(f, x, 10); }
 
 static void cells(FILE *f, size_t n, const double *x)
 {
