@@ -57,7 +57,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
         print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->hourly);
         print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->strongest);
     }
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 static void print_climate(FILE *to, const struct wf_analysis *an)
@@ -202,7 +202,7 @@ static void print_others(FILE *to, const struct wf_analysis *an, const struct wf
         wf_show(to, "  %s%s: ", wf_criteria[c].name, wf_criteria[c].whole ? "" : " of the stem");
         print_wind(to, an, &b->critical);
         print_event(to, an, (enum wf_criterion_id)c, b);
-        fputc('\n', to);
+        wf_show(to, "\n");
         if (!wf_criteria[c].whole) print_weight(to, an, b);
     }
 }
@@ -255,7 +255,7 @@ static void print_room(FILE *to, const struct wf_analysis *an)
         print_event(to, an, room[k], b);
         double safety = last ? last->worst[room[k]][scope].safety : (double)NAN;
         if (isfinite(safety)) wf_show(to, "; at %.6g m/s %.0f %% of the limit", last->speed, 100 / safety);
-        fputc('\n', to);
+        wf_show(to, "\n");
     }
 }
 
@@ -273,7 +273,7 @@ static void print_class(FILE *to, const struct wf_analysis *an, const struct wf_
                 an->tree.z0[k->worst.row]);
         print_failing(to, an, k->worst.row);
     }
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 static void print_branches(FILE *to, const struct wf_analysis *an)
@@ -311,7 +311,7 @@ static void print_unions(FILE *to, const struct wf_analysis *an)
     for (size_t k = WF_UNION_CLASSES; u->n && k-- > 0;)
         wf_show(to, "%s %zu %s", k == WF_UNION_CLASSES - 1 ? ":" : ",", wf_unions_of(u, &wf_union_classes[k]),
                 wf_union_classes[k].text);
-    fputc('\n', to);
+    wf_show(to, "\n");
     if (u->n)
         wf_show(to, "%10s%10s%10s%10s%10s   %s\n%10s%10s%10s%10s\n", "at m", "branch", "parent", "parent",
                 "aspect", "class (" WF_UNIONS_SOURCE ")", "", "cm", "above, cm", "below, cm");
@@ -350,7 +350,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
         (v.loss->critical.outcome == WF_CRITICAL_FOUND || v.loss->critical.outcome == WF_CRITICAL_ABOVE))
         wf_show(to, ", at %.6g m over terrain %s", at.height, at.terrain->name);
     if (v.loss) print_event(to, an, v.criterion, v.loss);
-    fputc('\n', to);
+    wf_show(to, "\n");
     if (v.loss && !wf_criteria[v.criterion].whole) print_weight(to, an, v.loss);
     print_others(to, an, &v);
     print_anchorage(to, an);
@@ -378,7 +378,7 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
                 "; the wind at the tree at %.6g m is %.4g times the wind named, critical speeds are of the "
                 "wind named",
                 s->reference_height, ratio);
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 /* The crown's outline, so that a wrong scale is seen. */
@@ -577,7 +577,7 @@ static void print_unassessed(FILE *to, const struct wf_analysis *an)
         wf_show(to, "%s%s (the species has no %s)", before, x->name, x->wants);
         before = ", ";
     }
-    if (*before == ',') fputc('\n', to);
+    if (*before == ',') wf_show(to, "\n");
 }
 
 /* Which limit of a thin wall is reached first, and what it is with the low end of the strength across the

@@ -50,7 +50,7 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
     if (there != speed)
         wf_show(to, "\n        at the tree, terrain %s, %.1f m/s at %.4g m", s->category->name, there,
                 s->reference_height);
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 /* One reason a line. */
@@ -153,7 +153,7 @@ static void print_directions(FILE *to, const struct wf_assessment *x)
         wf_show(to, "%7.0f deg", degrees(d->from));
         print_number(to, 7, d->breakage);
         print_number(to, 7, d->overturning);
-        if (k % 4 == 3 || k + 1 == x->directions) fputc('\n', to);
+        if (k % 4 == 3 || k + 1 == x->directions) wf_show(to, "\n");
     }
 }
 
