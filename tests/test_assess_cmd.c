@@ -110,6 +110,15 @@ static void scenarios(void **state)
           { "reduce 20% + thin 10%     42 %!", "root_loss=50%        -       2.14         0.42",
             "cavity=1.3m:80mm+cavity_growth=2cm",
             "least reduction of the crown for a safety of 1.5: 22 %" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --scenarios "
+          "root_loss=0:180,root_loss=0deg:180deg:50%,root_loss=350:10 2>&1 | grep -c error:; $W assess "
+          "models/cards/oak.yaml --samples 0 --root-loss 0:180 | grep -A5 'root-loss 0:180: safety'",
+          CODE_OK,
+          { "0\n", "  270 deg   2.14   0.42", "   90 deg   2.14   0.15", "180 deg   2.14   0.42" } },
+        { "$W assess models/cards/oak.yaml --root-loss 100%; $W assess models/cards/oak.yaml --root-loss "
+          "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4",
+          CODE_INPUT,
+          { "'100%' is no loss of roots", "'10deg:20m' is no loss", "'1:2:3:4' is no loss" } },
         { "(cat models/cards/oak.yaml; echo 'scenarios: [reduce=1m, season=leaf_off]') >$T/c.yaml; $W assess "
           "$T/c.yaml --samples 0 -o $T/out --lang zh --no-pdf | grep -c 'reduce=1m'; grep -c '最小树冠缩剪' "
           "$T/out/report.html; grep -c '\"name\": \"season=leaf_off\"' $T/out/results.json",
