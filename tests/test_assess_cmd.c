@@ -94,7 +94,7 @@ static void cards(void **state)
         { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
           CODE_OK,
           { "Tree is lost at 23.0 m/", "15 to 41 m/", "once in 11.6 years",
-            "Not assessed Limbs, forks and unions" } },
+            "it breaks may be too high. Limbs, forks and unions" } },
     };
     CHECK(rows);
 }

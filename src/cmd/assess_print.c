@@ -175,6 +175,7 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         const char *why = wf_verdict_unassessed(an, &v, (enum wf_criterion_id)c);
         if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
     }
+    if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
     if (an->anchorage && an->anchorage->method)
         wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
 }

@@ -91,6 +91,12 @@ static json_t *not_assessed(struct wf_doc *d, const struct wf_analysis *a, const
         bool unsaid = c == WF_OVERTURNING && !strcmp(why, WF_ANCHORAGE_UNSAID);
         wf_doc_flag(d, o, "unsaid", unsaid);
     }
+    if (wf_verdict_size(a) > 0) {
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "criterion", "size-effect");
+        wf_doc_text(d, o, "reason", WF_SIZE_UNASSESSED);
+        wf_doc_flag(d, o, "unsaid", false);
+    }
     return list;
 }
 
