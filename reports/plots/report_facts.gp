@@ -19,7 +19,8 @@ KEY_ROWS = (trees + KEY_COLUMNS - 1)/KEY_COLUMNS
 key_name(i) = short(NAME[i], 500/KEY_COLUMNS - 20)
 STRONG = text_of('STRONG', 0)
 SPEED_MAX = number('SPEED_MAX', 0)
-speed(u) = sprintf('%g m/s', u)
+# as typed; what was converted, with three figures
+speed(u) = (abs(10*u - floor(10*u + 0.5)) < 1e-6 ? sprintf('%g m/s', u) : sprintf('%.3g m/s', u))
 
 # A plot that looks at some rows of a table alone (every ::first::last) reads the others without converting them. The rows of
 # tree i at its n-th wind speed with an answer are row_first(i, n) to row_last(i, n), when rows.gp was loaded
