@@ -364,13 +364,16 @@
           </td>
           <td class="r">
             <xsl:if test="height != ''">
-              <xsl:call-template name="four"><xsl:with-param name="x" select="height"/></xsl:call-template>
+              <xsl:call-template name="given"><xsl:with-param name="x" select="height"/></xsl:call-template>
             </xsl:if>
           </td>
           <td class="r"><xsl:value-of select="readings"/></td>
           <td class="r">
-            <xsl:call-template name="four"><xsl:with-param name="x" select="sigma"/></xsl:call-template>
-            <xsl:if test="estimated = 'true'"> (e)</xsl:if>
+            <xsl:choose>
+              <xsl:when test="estimated = 'true'">
+                <xsl:call-template name="four"><xsl:with-param name="x" select="sigma"/></xsl:call-template> (e)</xsl:when>
+              <xsl:otherwise><xsl:call-template name="given"><xsl:with-param name="x" select="sigma"/></xsl:call-template></xsl:otherwise>
+            </xsl:choose>
           </td>
           <xsl:call-template name="four-cell"><xsl:with-param name="x" select="rms"/></xsl:call-template>
           <td><xsl:call-template name="unit-words"/></td>
@@ -449,7 +452,7 @@
             <xsl:with-param name="id">ft.tree</xsl:with-param>
             <xsl:with-param name="a" select="name"/><xsl:with-param name="b" select="species"/>
             <xsl:with-param name="c">
-              <xsl:call-template name="four"><xsl:with-param name="x" select="height"/></xsl:call-template>
+              <xsl:call-template name="given"><xsl:with-param name="x" select="height"/></xsl:call-template>
             </xsl:with-param>
             <xsl:with-param name="d" select="segments"/>
           </xsl:call-template>

@@ -172,7 +172,7 @@
     </p>
   </xsl:if>
   <xsl:for-each select="/report/figures/figure[substring(@name,
-      string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)]">
+      string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)][position() &lt;= 2]">
     <xsl:call-template name="figure">
       <xsl:with-param name="name" select="@name"/>
       <xsl:with-param name="id" select="concat('cap.', substring(@name, 1, string-length(@name) - string-length(concat('_', $n))))"/>
@@ -207,6 +207,13 @@
         <xsl:call-template name="n"><xsl:with-param name="x" select="value"/></xsl:call-template>
       </xsl:for-each></tr></tbody>
   </table>
+  <xsl:for-each select="/report/figures/figure[substring(@name,
+      string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)][position() &gt; 2]">
+    <xsl:call-template name="figure">
+      <xsl:with-param name="name" select="@name"/>
+      <xsl:with-param name="id" select="concat('cap.', substring(@name, 1, string-length(@name) - string-length(concat('_', $n))))"/>
+    </xsl:call-template>
+  </xsl:for-each>
 </xsl:template>
 
 <!-- "2.1e-16" as it is written by the program, or a plain 0. -->

@@ -52,7 +52,7 @@
   <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.rose</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure">
     <xsl:with-param name="name">wind_rose</xsl:with-param>
-    <xsl:with-param name="width">76%</xsl:with-param>
+    <xsl:with-param name="width">70%</xsl:with-param>
   </xsl:call-template>
   <table class="data">
     <xsl:call-template name="caption">
@@ -121,7 +121,7 @@
   </p>
   <xsl:call-template name="figure">
     <xsl:with-param name="name">rose_record</xsl:with-param>
-    <xsl:with-param name="width">76%</xsl:with-param>
+    <xsl:with-param name="width">70%</xsl:with-param>
   </xsl:call-template>
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">rs.fits</xsl:with-param></xsl:call-template>

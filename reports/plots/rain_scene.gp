@@ -10,9 +10,9 @@ KEYS = int(number('KEYS', RUN))
 SCENE = DIR.'/tables/scene.csv'; AIR = DIR.'/tables/air.csv'
 LOW_X = number('LOW_X', RUN); HIGH_X = number('HIGH_X', RUN); LOW_Z = number('LOW_Z', RUN); HIGH_Z = number('HIGH_Z', RUN)
 SPAN_X = HIGH_X - LOW_X; BOTTOM = LOW_Z - 0.06; TOP = HIGH_Z + 0.12
-WIDTH = 640.0; ACROSS = KEYS < 3 ? KEYS : 3; DOWN = ceil(KEYS/3.0)
+WIDTH = 640.0; ACROSS = KEYS > 4 ? 4 : 3; DOWN = ceil(KEYS/(1.0*ACROSS))
 # true to scale: an upright branch has room beside it
-PANEL = 182.0; WIDE = 1.06*SPAN_X; WIDE = WIDE*260 < PANEL*(TOP - BOTTOM) ? PANEL*(TOP - BOTTOM)/260 : WIDE
+PANEL = (WIDTH - 64.0)/ACROSS - 12; WIDE = 1.06*SPAN_X; WIDE = WIDE*260 < PANEL*(TOP - BOTTOM) ? PANEL*(TOP - BOTTOM)/260 : WIDE
 MIDDLE = 0.5*(LOW_X + HIGH_X); TALL = PANEL*(TOP - BOTTOM)/WIDE
 KEY = 24.0; HEIGHT = DOWN*(TALL + 46.0) + 26.0 + KEY
 # the rows of every frame are those of the last one, in the same order
@@ -42,7 +42,7 @@ event(k) = L('RAIN_'.text_of(sprintf('EVENT_%d', RUN), k))
 here(k) = column("run") == RUN && column("key") == k
 at_frame(k, what) = here(k) && strcol("kind") eq what
 do for [k=1:KEYS] {
-    i = (k - 1) % 3; j = (k - 1)/3
+    i = (k - 1) % ACROSS; j = (k - 1)/ACROSS
     x0 = 58.0 + i*(PANEL + 12.0); y0 = 22.0 + j*(TALL + 46.0)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + PANEL)/WIDTH
     set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + TALL)/HEIGHT

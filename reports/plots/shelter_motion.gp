@@ -55,7 +55,7 @@ do for [i=1:2] {
 }
 KEY = 24.0
 load HERE.'strip.gp'
-unset title; set yrange [0:1]
+unset title; set yrange [0:1]; set key samplen 2 maxrows 1 width 0
 plot NaN with points pt 6 ps 0.7 lc rgb '#D55E00' title L('OPEN'), NaN with points pt 7 ps 0.6 lc rgb '#0072B2' title L('OWN'), NaN with lines dt 1 lc rgb '#c8c8c8' lw 1.5 title L('REST')
 unset multiplot
 set output
