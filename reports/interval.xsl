@@ -133,9 +133,12 @@
 </xsl:template>
 
 <xsl:template name="iv-critical">
-  <xsl:param name="x"/>
+  <xsl:param name="x"/><xsl:param name="stands"/>
   <td class="r">
     <xsl:choose>
+      <xsl:when test="$stands = 'false'">
+        <xsl:call-template name="say"><xsl:with-param name="id">iv.falls</xsl:with-param></xsl:call-template>
+      </xsl:when>
       <xsl:when test="string($x) = ''">&gt; <xsl:value-of select="format-number(../../searched_to_m_s, '0')"/></xsl:when>
       <xsl:otherwise><xsl:value-of select="format-number($x, '0.0')"/></xsl:otherwise>
     </xsl:choose>
@@ -185,8 +188,12 @@
           <xsl:call-template name="iv-value"><xsl:with-param name="x" select="value"/></xsl:call-template>
           <xsl:call-template name="iv-value"><xsl:with-param name="x" select="low"/></xsl:call-template>
           <xsl:call-template name="iv-value"><xsl:with-param name="x" select="high"/></xsl:call-template>
-          <xsl:call-template name="iv-critical"><xsl:with-param name="x" select="critical_at_low_m_s"/></xsl:call-template>
-          <xsl:call-template name="iv-critical"><xsl:with-param name="x" select="critical_at_high_m_s"/></xsl:call-template>
+          <xsl:call-template name="iv-critical">
+            <xsl:with-param name="x" select="critical_at_low_m_s"/><xsl:with-param name="stands" select="stands_at_low"/>
+          </xsl:call-template>
+          <xsl:call-template name="iv-critical">
+            <xsl:with-param name="x" select="critical_at_high_m_s"/><xsl:with-param name="stands" select="stands_at_high"/>
+          </xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>

@@ -11,6 +11,7 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
+#include "study/guy.h"
 #include "study/interval.h"
 #include "study/peak.h"
 #include "study/unions.h"
@@ -205,6 +206,7 @@ static void print_others(FILE *to, const struct wf_analysis *an, const struct wf
         fputc('\n', to);
         if (!wf_criteria[c].whole) print_weight(to, an, b);
     }
+    if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
 }
 
 static void print_anchorage(FILE *to, const struct wf_analysis *an)
@@ -354,6 +356,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
     if (v.loss && !wf_criteria[v.criterion].whole) print_weight(to, an, v.loss);
     print_others(to, an, &v);
     print_anchorage(to, an);
+    wf_print_guys(to, an);
     print_room(to, an);
     print_first(to, an);
 }
@@ -451,28 +454,33 @@ static void print_speed_to(FILE *to, int digits, double x, double end, const cha
         wf_show(to, "%sabove %.4g", before, end);
 }
 
+/* How far one value moves the critical wind; a tree that does not stand is lost at 0 [m/s]. */
+static double arm_width(const struct wf_interval *i, size_t k)
+{
+    double at_low = isnan(i->arm[k].at_low) ? 0.0 : fmin(i->arm[k].at_low, i->searched_to);
+    double at_high = isnan(i->arm[k].at_high) ? 0.0 : fmin(i->arm[k].at_high, i->searched_to);
+    return fabs(at_high - at_low);
+}
+
 /* The values that move the critical wind most, each alone. */
 static void print_tornado(FILE *to, const struct wf_interval *i)
 {
     enum { SHOWN = 3 };
     bool shown[WF_VARIED_MAX] = { false };
-    wf_show(to, "  most of it by");
+    char range[80];
+    const char *before = "  most of it by ";
     for (size_t n = 0; n < SHOWN && n < i->variation.n; n++) {
         size_t best = 0;
         double widest = -1.0;
-        for (size_t k = 0; k < i->variation.n; k++) {
-            double from = fmin(i->arm[k].at_low, i->searched_to),
-                   to_ = fmin(i->arm[k].at_high, i->searched_to);
-            if (!shown[k] && fabs(to_ - from) > widest) widest = fabs(to_ - from), best = k;
-        }
+        for (size_t k = 0; k < i->variation.n; k++)
+            if (!shown[k] && arm_width(i, k) > widest) widest = arm_width(i, k), best = k;
         const struct wf_varied *v = &i->variation.varied[best];
         shown[best] = true;
-        wf_show(to, "%s %s%s", n ? ";" : "", wf_varied_prefix(v), v->name);
-        print_speed_to(to, 0, fmin(i->arm[best].at_low, i->arm[best].at_high), i->searched_to, " (");
-        print_speed_to(to, 0, fmax(i->arm[best].at_low, i->arm[best].at_high), i->searched_to, " to ");
-        wf_show(to, ")");
+        if (!wf_interval_arm_text(i, best, range, sizeof range)) continue;
+        wf_show(to, "%s%s%s (%s)", before, wf_varied_prefix(v), v->name, range);
+        before = "; ";
     }
-    wf_show(to, "\n");
+    if (*before == ';') fputc('\n', to);
 }
 
 static void print_safeties(FILE *to, const struct wf_interval *i, bool rooted)
@@ -536,6 +544,28 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, " -> ");
     print_found(to, &w->critical[WF_WET]);
     wf_show(to, "\n");
+}
+
+void wf_print_guys(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_at_speed *at = &an->at[an->n - 1];
+    const struct wf_break *loss = wf_verdict_of(an->breaks).loss;
+    for (size_t k = 0; k < an->scenario.guys; k++) {
+        const struct wf_guy *g = &an->scenario.guy[k];
+        wf_show(to, "  guy at %.4g m to an anchor %.4g m away towards %.0f deg: ", g->height, g->distance,
+                degrees(g->towards));
+        if (at->status)
+            wf_show(to, "no equilibrium in %.4g m/s", at->speed);
+        else
+            wf_show(to, at->tie[k] > 0 ? "%.3g kN in %.4g m/s" : "slack in %.4g m/s",
+                    at->tie[k] > 0 ? at->tie[k] / 1e3 : at->speed, at->speed);
+        if (loss && loss->critical.outcome == WF_CRITICAL_FOUND && !loss->at.status)
+            wf_show(to, ", %.3g kN in the critical wind", loss->at.tie[k] / 1e3);
+        fputc('\n', to);
+    }
+    if (an->scenario.guys)
+        wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
+                an->loads.ties ? "; a foot that turns more than was computed puts more on them" : "");
 }
 
 void wf_print_wetted(FILE *to, const struct wf_analysis *an)

@@ -38,6 +38,7 @@ struct wf_analyze_options {
     double branches_from;                         /* [m]                                       */
     double corridor, corridor_towards, tip_angle; /* [m], [rad], [rad]; NAN: not given */
     bool unions;
+    const char *guys; /* NULL: none */
     struct wf_pages pages;
     struct wf_job job;
 };
