@@ -96,10 +96,18 @@
 <xsl:template name="number">
   <xsl:param name="x"/>
   <xsl:variable name="size" select="($x &lt; 0) * -$x + ($x &gt;= 0) * $x"/>
+  <xsl:variable name="ten" select="1 + 9 * ($size &gt;= 999.5) + 90 * ($size &gt;= 9995) + 900 * ($size &gt;= 99950) +
+    9000 * ($size &gt;= 999500)"/>
   <xsl:variable name="tiny" select="$x &gt; 0 and $x &lt; 0.00005"/>
   <xsl:if test="$tiny">&lt; </xsl:if>
   <xsl:call-template name="fixed">
-    <xsl:with-param name="x" select="$x + $tiny * (0.0001 - $x)"/>
+    <xsl:with-param name="x">
+      <xsl:choose>
+        <xsl:when test="$tiny">0.0001</xsl:when>
+        <xsl:when test="$ten &gt; 1"><xsl:value-of select="$ten * round($x div $ten)"/></xsl:when>
+        <xsl:otherwise><xsl:value-of select="$x"/></xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
     <xsl:with-param name="pattern">
       <xsl:choose>
         <xsl:when test="$size &gt;= 99.95 or $size = 0">#,##0</xsl:when>
@@ -125,7 +133,7 @@
   </xsl:choose>
 </xsl:template>
 
-<!-- A value as somebody gave it: no digits added. One with more than three decimals was converted: four digits. -->
+<!-- A value as somebody gave it: no digits added. One with more than three decimals was converted: three digits. -->
 <xsl:template name="given">
   <xsl:param name="x"/>
   <xsl:variable name="rest" select="1000 * $x - round(1000 * $x)"/>
@@ -134,9 +142,9 @@
     <xsl:with-param name="x" select="$x"/>
     <xsl:with-param name="pattern">
       <xsl:choose>
-        <xsl:when test="$converted and $x &gt;= 100">0.#</xsl:when>
-        <xsl:when test="$converted and $x &gt;= 10">0.##</xsl:when>
-        <xsl:when test="$converted">0.###</xsl:when>
+        <xsl:when test="$converted and $x &gt;= 100">0</xsl:when>
+        <xsl:when test="$converted and $x &gt;= 10">0.#</xsl:when>
+        <xsl:when test="$converted">0.##</xsl:when>
         <xsl:otherwise>#,##0.#####</xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>

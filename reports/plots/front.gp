@@ -42,7 +42,7 @@ reach = 0.3*top                                    # room of the arrows
 low = low - reach - 0.04*top; high = high + 0.06*top
 WIDTH = 340.0; LEFT = 52.0; RIGHT = 12.0; UNDER = 48.0; BAR = MOST > 0 ? 66.0 : 0.0; TITLE = 10.0
 scale = (WIDTH - LEFT - RIGHT)/(high - low)
-scale = scale*(top - floor) > 290 ? 290/(top - floor) : scale
+scale = scale*(top - floor) > 215 ? 215/(top - floor) : scale
 h = scale*(top - floor); w = WIDTH - LEFT - RIGHT
 spare = w/scale - (high - low); low = low - 0.5*spare; high = high + 0.5*spare
 HEIGHT = h + TITLE + UNDER + BAR
@@ -70,7 +70,7 @@ if (n && FULL > 0) {
         z = top/1.05*(b - 0.5)/BINS
         if (arrow(b) > 0.02*reach) { set arrow b from from, z to from + arrow(b), z head filled size first 0.018*top, 20 lw 1.4 lc rgb '#0072B2' front }
     }
-    set label 1 (turned ? put(L('WIND_LOAD'), '%.1f kN', said(FORCE, FULL/1e3).' '.UNIT[FORCE]) : sprintf(L('WIND_LOAD'), FULL/1e3)) at from, top*0.985 font ',10' textcolor rgb '#0072B2'
+    set label 1 (turned ? put(L('WIND_LOAD'), '%.1f kN', said(FORCE, FULL/1e3).' '.UNIT[FORCE]) : sprintf(L('WIND_LOAD'), FULL/1e3)) at from, top*0.985 font ',10.5' textcolor rgb '#0072B2'
 }
 px = 0.0; py = 0.0; ox = 0.0; oy = 0.0
 few = ROWS[1] <= 5000

@@ -29,7 +29,8 @@ in_units(s) = (IN_S = s, (sum [FACTS_J=1:5] (IN_S = put(IN_S, '['.METRIC[FACTS_J
     IN_S = put(IN_S, '%s m/s', '%s '.UNIT[SPEED]), IN_S = put(IN_S, '%s m ', '%s '.UNIT[LENGTH].' '), IN_S)
 turned = PER[SPEED] != 1
 said(k, x) = turned ? sprintf(PER[k]*x >= 1000 ? '%.0f' : '%.3g', PER[k]*x) : sprintf('%g', x)
-speed(u) = said(SPEED, u).' '.UNIT[SPEED]
+# as typed; what was converted, with three figures
+speed(u) = (turned || abs(10*u - floor(10*u + 0.5)) < 1e-6 ? said(SPEED, u) : sprintf('%.3g', u)).' '.UNIT[SPEED]
 # Axes of lengths are drawn in metres: where a tic stands that the page's unit calls x, and its label.
 lengths(x) = x/PER[LENGTH]
 tic(x) = put(sprintf('%g', x), '-', '−')

@@ -21,7 +21,8 @@ px = 0.0; py = 0.0; ox = 0.0; oy = 0.0
 from(is, x, y) = (ox = px, oy = py, px = x, py = y, is && column("axis") > 1 && column("segment") > 0 ? ox : NaN)
 
 # A shape beyond the loss of the tree is grey: that of a tree that cannot be lost.
-shade(i, n) = WIND[n] > CRITICAL[i] ? '#b8b8b8' : word('#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9', (n - 1)%6 + 1)
+shade_of(n) = word('#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9', (n - 1)%6 + 1)
+shade(i, n) = WIND[n] > CRITICAL[i] ? '#b8b8b8' : shade_of(n)
 
 low = 0.0; high = 0.0; top = 0.0; floor = 0.0
 do for [i=1:trees] {
@@ -81,8 +82,10 @@ do for [i=1:trees] {
          for [n=1:words(SOLVED[i])] SHAPE every ::row_first(i, n)::row_last(i, n) using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)), \
          2*top with lines notitle   # above the picture: a tree without answers still gets its axes
 }
+# grey in the key where every tree is lost in that wind
+kept(n) = (sum [i=1:trees] (WIND[n] > CRITICAL[i] ? 0 : 1)) > 0
 load HERE.'strip.gp'
 plot 2 with lines, keyentry with lines lw 1.2 dt (3,4) lc rgb '#707070' title L('STILL'), \
-     for [k=1:winds] keyentry with lines lt k title speed(WIND[k])
+     for [k=1:winds] keyentry with lines lt k lc rgb (kept(k) ? shade_of(k) : '#b8b8b8') title speed(WIND[k])
 unset multiplot
 set output

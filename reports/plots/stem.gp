@@ -10,7 +10,7 @@ columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
 blocks = (trees + columns - 1)/columns
 LEFT = 58.0; GAP = 24.0; TITLE = 24.0; UNDER = 54.0; KEY = 30.0
 w = (640.0 - LEFT - 14 - GAP*(columns-1))/columns
-h = blocks == 1 ? 160.0 : 140.0
+h = blocks == 1 ? 160.0 : 110.0
 WIDTH = 640.0; HEIGHT = blocks*(TITLE + 2*(h + UNDER)) + KEY
 
 moment = 0.0; stress = 0.0; top = 0.0
