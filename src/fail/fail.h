@@ -136,6 +136,14 @@ double wf_wall_share(const struct wf_tree *t, size_t row, double s);
  * docs/failure.md. */
 double wf_wall_splits(double youngs, double tangential, double share);
 double wf_wall_flattens(double youngs, double transverse, double share);
+/* From this distance between nodes on, over the outer diameter, the diaphragms of a culm count as nothing
+ * [-]: judgement, not a measurement. */
+#define WF_NODES_APART 3.0
+/* How many times the stress splits or flattens the wall of a culm whose diaphragms hold the ring round [-].
+ * Given: distance between nodes; E_L, E_T / (1 - nu_LT nu_TL), 0: not known [Pa]; outer radius and wall [m].
+ * Method: a tube on the elastic foundation of its ring, held at both nodes and free to warp there; its reach
+ * is shortened to that of WF_NODES_APART where it is longer. Never below 1. docs/failure.md. */
+double wf_wall_held(double spacing, double youngs, double transverse, double radius, double thickness);
 
 struct wf_criterion {
     const char *name, *source, *validity;

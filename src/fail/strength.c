@@ -146,6 +146,24 @@ double wf_wall_flattens(double youngs, double transverse, double share)
     return 2 * sqrt(2) / 9 * share * sqrt(youngs * transverse);
 }
 
+double wf_wall_held(double spacing, double youngs, double transverse, double radius, double thickness)
+{
+    const double middle = radius - 0.5 * thickness;
+    double decay = pow(3 * transverse * thickness * thickness / (youngs * pow(middle, 6)), 0.25); /* [1/m] */
+    double half = 0.5 * spacing * fmax(decay, WF_PI / (WF_NODES_APART * 2 * radius));
+    if (!(half < 0.5 * WF_PI)) return 1;
+    double flattened = 1 - 2 * cosh(half) * cos(half) / (cosh(2 * half) + cos(2 * half));
+    return fmax(1, 1 / sqrt(flattened));
+}
+
+/* Of a row at a place; 1 where no diaphragms are counted. */
+static double held(const struct wf_tree *t, size_t i, double s)
+{
+    if (!(t->node_spacing > 0) || t->level[i] != 0) return 1;
+    struct wf_wall w = wf_section_wall(t, i, s);
+    return wf_wall_held(t->node_spacing, t->youngs[i], t->transverse[i], w.radius, w.thickness);
+}
+
 /* Bending stress of a thin wall, M / (pi R^2 t). */
 static double nominal_stress(const struct wf_tree *t, size_t i, double s, const struct wf_section_load *l)
 {
@@ -163,7 +181,7 @@ static bool splitting_known(const struct wf_tree *t, size_t i)
 
 static double splitting_limit(const struct wf_tree *t, size_t i, double s)
 {
-    return wf_wall_splits(t->youngs[i], t->tangential[i], wf_wall_share(t, i, s));
+    return held(t, i, s) * wf_wall_splits(t->youngs[i], t->tangential[i], wf_wall_share(t, i, s));
 }
 
 static bool ovalisation_known(const struct wf_tree *t, size_t i)
@@ -173,7 +191,7 @@ static bool ovalisation_known(const struct wf_tree *t, size_t i)
 
 static double ovalisation_limit(const struct wf_tree *t, size_t i, double s)
 {
-    return wf_wall_flattens(t->youngs[i], t->transverse[i], wf_wall_share(t, i, s));
+    return held(t, i, s) * wf_wall_flattens(t->youngs[i], t->transverse[i], wf_wall_share(t, i, s));
 }
 
 const struct wf_section_rule wf_section_rules[WF_SECTION_RULES] = {

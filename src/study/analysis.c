@@ -104,6 +104,17 @@ void wf_analysis_room(struct wf_analysis *an)
     an->tree.room = (struct wf_room){ s->corridor, { cos(towards), sin(towards) }, s->tip_angle };
 }
 
+/* The diaphragms of a culm, where they are specified. */
+static enum wf_status diaphragms(struct wf_analysis *an, struct wf_err *e)
+{
+    an->tree.node_spacing = an->scenario.node_spacing;
+    if (!(an->tree.node_spacing > 0) || an->species->level[0].wall.n) return WF_OK;
+    return wf_fail(
+        e, WF_EUSAGE,
+        "--node-spacing %.4g m: diaphragms are of culms; the stem of %s is solid, or hollow by decay",
+        an->tree.node_spacing, an->species->name);
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
@@ -113,6 +124,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s) s = anchor(an, a, e);
+    if (!s) s = diaphragms(an, e);
     wf_analysis_room(an);
     an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
     if (!s) s = wf_rest_set_up(an, o, a, d, e);
