@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/analyze_request.h"
 #include "base/num.h"
+#include "study/guy.h"
 #include "wind/climate.h"
 #include "wind/design.h"
 #include "wind/terrain.h"
@@ -21,6 +22,13 @@ static bool solver_unused(const void *options, const struct wf_option *row, char
     const struct wf_preset *p = wf_preset_named(o->preset);
     (void)row;
     return wf_option_unused(p && p->solver, why, "with the preset '%s', which has its own", o->preset);
+}
+
+static bool guy_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(!s->ties, why, "with the solver '%s'", s->name);
 }
 
 static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
@@ -122,6 +130,12 @@ const struct wf_option wf_analyze_options[] = {
     WF_PEAK_ROWS(peak),
     WF_BRANCH_STRENGTH_ROW(branch_strength),
     WF_ANCHORAGE_ROWS(anchorage),
+    TEXTS(
+        "--guy", guys, "HEIGHT:DISTANCE:TOWARDS:STIFFNESS[:PRETENSION]",
+        "a cable from the stem to an anchor in the ground, TOWARDS clockwise from north, a spring that only "
+        "pulls: 9m:8m:225deg:400kN/m:2kN; its force is printed, its strength and the anchor's are not "
+        "assessed",
+        .unused = guy_unused),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     FLAG("--unions", unions,
@@ -266,6 +280,7 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
     if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
+    if (o->guys && (status = wf_guys_read(o->guys, o->north, a, &s->guy, &s->guys, e))) return status;
     s->winds_said = o->args.winds_said;
     s->wind_notes = o->args.wind_notes;
     s->azimuth = o->azimuth;

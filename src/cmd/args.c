@@ -407,7 +407,8 @@ bool wf_args_read_cells(const struct wf_args *line, const char *command, const s
         wf_option_take(&r, option[i], cell[i]);
     }
     for (size_t k = 0; k < r.options; k++)
-        if (!out->given[k] && line->given[k]) {
+        if (!out->given[k] && line->given[k] &&
+            line->text[k]) { /* an operand that is the study has no text */
             out->given[k] = true;
             wf_option_take(&r, k, line->text[k]);
         }

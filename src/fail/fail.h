@@ -216,7 +216,9 @@ struct wf_anchorage_request {
     const struct wf_tipping_curve *curve;
     const struct wf_anchorage_table *table;
     double grown; /* height that the roots grew with, before the top was cut [m]; 0: the tree's */
-    double lost;  /* share of the anchorage that is lost since [-] */
+    double lost;  /* share of the roots of a sector that is lost since [-] */
+    double lost_middle, lost_half; /* the sector: where its middle lies, from +x towards +y, and half its
+                                      width; pi: all around [rad] */
 };
 
 /* The reason where nothing is said of soil and root. */
@@ -225,7 +227,8 @@ struct wf_anchorage_request {
 /* The anchorage of one tree. */
 struct wf_anchorage {
     const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
-    double moment;  /* largest moment on the ground that the root carries, as tested or by size [N m]; NAN */
+    double moment;  /* largest moment on the ground that the root carries, as tested or by size, before any of
+                       it is lost [N m]; NAN */
     double scatter; /* standard deviation of its logarithm; NAN: not known */
     const char *text; /* what it was computed from; or why overturning is not assessed */
 };
