@@ -617,11 +617,13 @@ static void print_wall(FILE *to, const struct wf_analysis *an, const struct wf_a
     static const enum wf_criterion_id limit[] = { WF_BREAKAGE, WF_SPLITTING, WF_OVALISATION };
     static const char *const does[] = { "breaks in bending", "splits", "flattens" };
     const struct wf_value *strength = &an->species->level[0].tangential_strength;
-    double least = INFINITY;
+    double least = INFINITY, lowest = INFINITY;
     size_t first = 0;
     for (size_t k = 0; k < WF_COUNT(limit); k++) {
         double safety = at->worst[limit[k]][WF_SCOPE_STEM].safety;
-        if (safety < least) least = safety, first = k;
+        double bound = wf_verdict_bound(&an->breaks[limit[k]][WF_SCOPE_STEM].critical);
+        if (!(bound < lowest) && !(bound == lowest && safety < least)) continue;
+        lowest = bound, least = safety, first = k;
     }
     if (!wf_criterion_known(&wf_criteria[WF_SPLITTING], &an->tree, WF_SCOPE_STEM) || isinf(least)) return;
     const struct wf_critical *k = &an->breaks[limit[first]][WF_SCOPE_STEM].critical;
