@@ -158,6 +158,9 @@ const struct wf_option wf_analyze_options[] = {
          "also list the unions of branches from that thickness and forks by aspect ratio, the branch's "
          "diameter "
          "over that of the parent; their strength is not assessed"),
+    NUMBER("--node-spacing", node_spacing, "DISTANCE", LENGTH, "cm", 1, 500, NULL,
+           "longest distance between the nodes of a culm of bamboo: its diaphragms then hold the wall round, "
+           "by judgement [they are left out, on the safe side]"),
     NUMBER("--corridor", corridor, "DISTANCE", LENGTH, "m", 0.01, 200, NULL,
            "distance of a corridor, as of a power line, from the base of the stem: also the wind in which a "
            "part of the tree reaches it"),
@@ -302,6 +305,7 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     s->azimuth = o->azimuth;
     if (o->corridor > 0) s->corridor = o->corridor, s->corridor_towards = o->corridor_towards;
     if (o->tip_angle > 0) s->tip_angle = o->tip_angle;
+    if (o->node_spacing > 0) s->node_spacing = o->node_spacing;
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;

@@ -275,10 +275,11 @@ static const struct wf_option card_rows[] = {
 
 /* Options of analyze that say something else, or nothing, of a card. */
 static const char *const left_out[] = {
-    "--output",          "--model",         "--tree",          "--joint",  "--leaf-area", "--rest",
-    "--scanned",         "--strict",        "--crown-outline", "--unload", "--tree-id",   "--scan-model",
-    "--force",           "--cap-children",  "--preset",        "--solver", "--shelter",   "--branches-from",
-    "--branch-strength", "--weight-stress", "--unions",        "--remove",
+    "--output",  "--model",        "--tree",          "--joint",           "--leaf-area",
+    "--rest",    "--scanned",      "--strict",        "--crown-outline",   "--unload",
+    "--tree-id", "--scan-model",   "--force",         "--cap-children",    "--preset",
+    "--solver",  "--shelter",      "--branches-from", "--branch-strength", "--weight-stress",
+    "--unions",  "--node-spacing", "--remove",
 };
 
 static bool is_left_out(const struct wf_option *row)

@@ -52,7 +52,7 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
     if (there != speed)
         wf_show(to, "\n        at the tree, terrain %s, %.1f m/s at %.4g m", s->category->name, there,
                 s->reference_height);
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 /* One reason a line. */
@@ -148,7 +148,7 @@ static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d
         wf_show(to, "%7.0f deg", compass(d[k].from));
         print_number(to, 7, d[k].breakage);
         print_number(to, 7, d[k].overturning);
-        if (k % 4 == 3 || k + 1 == n) fputc('\n', to);
+        if (k % 4 == 3 || k + 1 == n) wf_show(to, "\n");
     }
 }
 

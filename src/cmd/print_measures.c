@@ -24,7 +24,7 @@ void wf_print_guys(FILE *to, const struct wf_analysis *an)
                     at->tie[k] > 0 ? at->tie[k] / 1e3 : at->speed, at->speed);
         if (loss && loss->critical.outcome == WF_CRITICAL_FOUND && !loss->at.status)
             wf_show(to, ", %.3g kN in the critical wind", loss->at.tie[k] / 1e3);
-        fputc('\n', to);
+        wf_show(to, "\n");
     }
     if (an->scenario.guys)
         wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
@@ -61,7 +61,7 @@ void wf_print_removals(FILE *to, const struct wf_analysis *an)
             wf_show(to, "%7s%-5.4g", "> ", x->searched);
         else
             print_cell(to, x->critical);
-        fputc('\n', to);
+        wf_show(to, "\n");
     }
     if (flagged)
         wf_show(to, "  !: more than %.0f %% of the crown: a loss that harms the tree\n",

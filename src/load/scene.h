@@ -92,6 +92,7 @@ struct wf_scenario {
     double corridor;             /* distance of a corridor from the base of the stem [m]; 0: none */
     double corridor_towards;     /* where it lies, from +x towards +y [rad]; NAN: where the wind blows */
     double tip_angle;            /* limit of the turn of the stem's tip [rad]; 0: none */
+    double node_spacing;         /* longest distance between nodes of a culm whose diaphragms count [m]; 0 */
     struct wf_peak_request peak; /* how the peak load follows from the mean wind */
     const struct wf_wind_note *wind_notes; /* the same by parts; NULL: none */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no

@@ -257,6 +257,8 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "corridor", limit[0], "m", "none is given");
     wf_doc_quantity(d, o, "corridor_towards", limit[1], "rad", "none is given, or where the wind blows");
     wf_doc_quantity(d, o, "tip_angle_limit", limit[2], "rad", "none is given");
+    wf_doc_quantity(d, o, "node_spacing", s->node_spacing > 0 ? s->node_spacing : NAN, "m",
+                    "no diaphragms are counted");
     wf_doc_quantity(d, o, "temperature", s->temperature, "K", NULL);
     wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);
     wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);

@@ -87,7 +87,7 @@ static const struct {
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-      "weight_stress strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
+      "weight_stress node_spacing strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,

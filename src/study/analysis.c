@@ -107,6 +107,17 @@ void wf_analysis_turned(struct wf_analysis *an)
     if (an->anchorage && s->anchorage) an->tree.anchorage *= wf_anchorage_left(s->anchorage, s->azimuth);
 }
 
+/* The diaphragms of a culm, where they are specified. */
+static enum wf_status diaphragms(struct wf_analysis *an, struct wf_err *e)
+{
+    an->tree.node_spacing = an->scenario.node_spacing;
+    if (!(an->tree.node_spacing > 0) || an->species->level[0].wall.n) return WF_OK;
+    return wf_fail(
+        e, WF_EUSAGE,
+        "--node-spacing %.4g m: diaphragms are of culms; the stem of %s is solid, or hollow by decay",
+        an->tree.node_spacing, an->species->name);
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
@@ -117,6 +128,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s) s = wf_guys_onto(an, a, e);
     if (!s) s = anchor(an, a, e);
+    if (!s) s = diaphragms(an, e);
     if (s) return s;
     wf_analysis_turned(an);
     an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
