@@ -129,7 +129,8 @@ static void scenarios(void **state)
         { "$W assess models/cards/oak.yaml --samples 0 --guy 25m:8m:270deg:400kN/m",
           CODE_INPUT,
           { "--guy: the stem does not reach 25 m" } },
-        { "$W analyze oak --model models/oak_20m.yaml --wind 20 --solver chain --guy 9m:8m:1deg:1kN/m -o $T/x",
+        { "$W analyze oak --model models/oak_20m.yaml --wind 20 --solver chain --guy 9m:8m:1deg:1kN/m -o "
+          "$T/x",
           CODE_INPUT,
           { "--guy", "with the solver 'chain'" } },
         /* a thin wall splits before the wood breaks: that is the critical wind, and none is beyond the search */
@@ -220,6 +221,11 @@ static void refused(void **state)
         { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --wind 20",
           CODE_INPUT,
           { "--crown-width: is needed, or --frontal-area or --photo-outline" } },
+        { "A='assess models/cards/oak.yaml --leaf-off-share 0.9 --samples 0'; $W $A; for x in --leaf-off "
+          "'--scenarios season=leaf_off' '--season leaf_off'; do $W $A $x 2>&1; done | grep -c 'has no "
+          "effect'; true",
+          CODE_OK,
+          { "leaf_off_share has no effect on a tree in leaf", "0\n" } },
         { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --crown-depth 10 --crown-width 9 "
           "--wind "
           "20",

@@ -345,7 +345,12 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     if ((s = wf_card_model(&c, sp, a, out, e))) return s;
     if (o->name) out->name = o->name;
     beside.crown.width = beside.crown.depth = beside.crown.area = NAN; /* they are the card's */
-    return wf_tree_asked_onto(&beside, false, a, out, d, e);
+    beside.crown.leafless = NAN; /* of a tree in leaf it is that of its scenarios without leaves */
+    if ((s = wf_tree_asked_onto(&beside, false, a, out, d, e))) return s;
+    out->silhouette.leafless = o->run.tree.crown.leafless;
+    if (!isnan(out->silhouette.leafless) && out->season == WF_LEAF_ON && !o->leaf_off && !o->scenarios)
+        wf_diag_warn(d, "leaf-off-share", "%s: leaf_off_share has no effect on a tree in leaf", out->name);
+    return WF_OK;
 }
 
 /* ---- One tree apart ---- */

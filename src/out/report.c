@@ -12,6 +12,7 @@
 #include "out/printer.h"
 #include "out/reader.h"
 #include "out/results.h"
+#include "out/template.h"
 #include "out/tree_picture.h"
 #include "out/xml.h"
 #include <stdlib.h>
@@ -44,7 +45,7 @@ static const struct kind kinds[] = {
 };
 
 struct job {
-    const char *folder, *language, *units;
+    const char *folder, *language, *units, *templates;
     bool turned; /* units other than those the stylesheets are written in */
     const struct kind *kind;
     json_t *results;
@@ -115,7 +116,7 @@ static enum wf_status make_document(struct job *j)
     char path[WF_PATH_MAX];
     struct wf_arena scratch = { 0 };
     struct wf_bytes css = { 0 };
-    enum wf_status code = wf_report_asset("report.css", path, sizeof path, j->e);
+    enum wf_status code = wf_template_path(j->templates, "report.css", path, j->e);
     if (!code) code = wf_file_read_text(path, &scratch, &css, j->e);
     if (!code) {
         j->document = xmlNewDoc(BAD_CAST "1.0");
@@ -365,17 +366,31 @@ static enum wf_status draw_kind(struct job *j)
     return draw_figures(j, g, n);
 }
 
+/* A page that a user's templates made: no program but the report's own. */
+static enum wf_status clean_page(struct job *j, xmlDoc *page)
+{
+    xmlNode *script = xmlDocGetRootElement(j->document)->children;
+    while (script && strcmp((const char *)script->name, "script") != 0) script = script->next;
+    xmlChar *text = script ? xmlNodeGetContent(script) : NULL,
+            *name = script ? xmlGetProp(script, BAD_CAST "name") : NULL;
+    enum wf_status code = wf_template_clean(j->templates, page, (char *)text, (char *)name, j->e);
+    xmlFree(text), xmlFree(name);
+    return code;
+}
+
 static enum wf_status write_html(struct job *j, const char *html)
 {
+    bool whole = j->turned || j->templates; /* the page is looked at when it is whole, before it is written */
     char style[WF_PATH_MAX], name[64];
     struct wf_file f = { 0 };
     xmlDoc *page;
     snprintf(name, sizeof name, "%s.xsl", j->kind->page);
-    enum wf_status code = wf_report_asset(name, style, sizeof style, j->e);
+    enum wf_status code = wf_template_path(j->templates, name, style, j->e);
     if (!code) code = wf_file_begin(&f, html, j->e);
     if (code) return code;
-    code = wf_xml_transform(style, j->document, j->turned ? NULL : f.stream, &page, j->e);
-    if (!code && j->turned) code = wf_page_turn(j->units, page, f.stream, j->e);
+    code = wf_xml_transform(style, j->document, whole ? NULL : f.stream, &page, j->e);
+    if (!code && j->templates) code = clean_page(j, page);
+    if (!code && whole) code = wf_page_turn(j->units, page, f.stream, j->e);
     if (!code) code = wf_file_commit(&f, j->e);
     if (page) xmlFreeDoc(page);
     wf_file_abandon(&f);
@@ -411,6 +426,7 @@ enum wf_status wf_report_make(const char *folder, const struct wf_page_style *st
     struct job j = { .folder = folder,
                      .language = style && style->language ? style->language : "en",
                      .units = style && style->units ? style->units : "metric",
+                     .templates = style ? style->templates : NULL,
                      .printer = printer,
                      .d = d,
                      .e = e,
@@ -421,7 +437,8 @@ enum wf_status wf_report_make(const char *folder, const struct wf_page_style *st
         return wf_fail(e, WF_EUSAGE,
                        "'%s' is not a system of units of the report; allowed: metric, imperial, cn", j.units);
     j.turned = strcmp(j.units, "metric") != 0;
-    enum wf_status code = read_results(&j);
+    enum wf_status code = j.templates ? wf_template_check(j.templates, e) : WF_OK;
+    if (!code) code = read_results(&j);
     if (!code) code = make_document(&j);
     if (!code) code = add_pictures(&j);
     if (!code && j.kind->figure == report_figures) code = add_live(&j);

@@ -9,8 +9,9 @@ struct wf_printer;
 
 /* How pages are made. */
 struct wf_page_style {
-    const char *language; /* "en" or "zh"; NULL: "en"                                             */
-    const char *units;    /* "metric", "imperial" or "cn" (out/page_units.h); NULL: "metric"      */
+    const char *language;  /* "en" or "zh"; NULL: "en"                                             */
+    const char *units;     /* "metric", "imperial" or "cn" (out/page_units.h); NULL: "metric"      */
+    const char *templates; /* a folder of the user's (out/template.h); NULL: the shipped ones */
 };
 
 /* Draw FOLDER/plots/ *.svg (gnuplot), and write FOLDER/PAGE.html (XSLT) and, with a printer (out/printer.h;

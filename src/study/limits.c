@@ -192,11 +192,13 @@ static void check_size(const struct wf_analysis *an, struct wf_diag *d)
     if (diameter > 0)
         wf_diag_warn(
             d, "size-effect",
-            "%s: the stem breaks where its wood is %.2g m thick, and its modulus of rupture is taken as it "
-            "was measured, as a rule on clear specimens of 20 to 50 mm. Thick timber breaks at lower "
-            "stresses; that is not applied, and the critical wind of breakage may be too high. The rule of "
-            "timber design (power 1/9 of the depth, above 12 in) makes the strength %.0f to %.0f %% lower; "
-            "by Virot et al. 2016 it falls more",
+            "%s: the stem breaks, or is nearest to it, where its wood is %.2g m thick, and its modulus of "
+            "rupture is taken as it was measured, as a rule on clear specimens of 20 to 50 mm. Thick timber "
+            "breaks at lower stresses; that is not applied, and the critical wind of breakage may be too "
+            "high. "
+            "The rule of timber design (power 1/9 of the depth, above 12 in) makes the strength %.0f to %.0f "
+            "%% "
+            "lower; by Virot et al. 2016 it falls more",
             an->species->name, diameter, 100 * (1 - pow(large / diameter, power)),
             100 * (1 - pow(small / diameter, power)));
 }
