@@ -521,8 +521,6 @@ static void room_is_used_up(void **state)
     struct wf_at_speed at;
     beam_stem(&c, 12, upright, 16, 0.10, 0.02);
     c.loads.gravity = 9.81;
-    c.options.mesh_tolerance =
-        1e-8; /* the turn of the tip converges with the mesh more slowly than moments do */
     open_analysis(&c, &an);
     for (int run = 0; run < 3; run++) {
         an.scenario.corridor = 3, an.scenario.corridor_towards = run == 2 ? PI : NAN;

@@ -133,6 +133,15 @@ static void scenarios(void **state)
           "$T/x",
           CODE_INPUT,
           { "--guy", "with the solver 'chain'" } },
+        /* a thin wall splits before the wood breaks: that is the critical wind, and none is beyond the search */
+        { "$W assess --species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --cavity "
+          "1.3m:25mm --wind 30 --samples 0",
+          CODE_OK,
+          { "critical wind: 20.1 m/s mean (72 km/h), 3-s gust 30.6 m/s, at 10 m over terrain II; the tree splits" } },
+        { "$W assess --species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --cavity "
+          "1.3m:25mm --wind 30 --samples 0 2>&1 | grep -c critical-above-range; true",
+          CODE_OK,
+          { "0\n" } },
         { "$W assess models/cards/oak.yaml --root-loss 100%; $W assess models/cards/oak.yaml --root-loss "
           "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4",
           CODE_INPUT,

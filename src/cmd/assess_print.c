@@ -2,6 +2,7 @@
 #include "cmd/assess_print.h"
 #include "cmd/analyze_print.h"
 #include "cmd/option.h"
+#include "cmd/print_measures.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "fail/anchorage.h"
