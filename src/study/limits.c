@@ -153,7 +153,7 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
             "up to %.4g m/s%s; wind speeds from there to %.4g m/s were not searched",
             who, an->search.seconds, c->speed_low,
             c->speed_high < an->search.speed_max ? " and fails above" : "", c->speed_high);
-    if (c->outcome == WF_CRITICAL_ABOVE)
+    if (c->outcome == WF_CRITICAL_ABOVE && c->speed_high >= an->search.speed_max) /* not for another loss */
         wf_diag_warn(d, "critical-above-range",
                      "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,
                      an->search.speed_max);
