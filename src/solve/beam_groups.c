@@ -115,19 +115,25 @@ WF_INLINE void scatter_add(const real *from, size_t n, size_t some, const struct
 /* Up to WF_WIDTH elements of a group. Lanes to spare repeat the first element, and nothing is kept of them. */
 struct some {
     size_t n;
-    int32_t id[WF_WIDTH];
+    const int32_t *id;
     real_truth here;
 };
 
-static struct some some_of(const int32_t id[WF_GROUP], size_t from)
+WF_INLINE struct some some_of(const struct wf_beam_group *g, size_t from)
 {
-    struct some s = { .n = 0 };
-    for (size_t k = 0; k < WF_WIDTH; k++) {
-        int32_t i = id[from + k];
-        if (i >= 0) s.n++;
-        s.id[k] = i >= 0 ? i : id[from];
-        real_lane(s.here, k) = i >= 0 ? -1 : 0;
-    }
+    size_t left = (size_t)g->n - from;
+    struct some s = { .n = left < WF_WIDTH ? left : WF_WIDTH, .id = g->id + from };
+#if WF_WIDTH == 8
+    const real_truth lane = { 0, 1, 2, 3, 4, 5, 6, 7 };
+#elif WF_WIDTH == 4
+    const real_truth lane = { 0, 1, 2, 3 };
+#else
+    const real_truth lane = 0;
+#endif
+    s.here = (real_truth)(lane < (int64_t)s.n);
+#if WF_WIDTH == 1
+    s.here = -s.here;
+#endif
     return s;
 }
 
@@ -154,6 +160,34 @@ WF_INLINE void gather_part(const struct wf_groups_sweep *x, const struct some *s
     gather(&from, PART, (real *)p);
 }
 
+/* The lanes are anywhere in memory, where the processor does not expect them: fetch those of the next group
+ * while this one is computed. */
+WF_INLINE void fetch(const double *array, size_t id, size_t per_element)
+{
+    enum { LINE = 8 }; /* numbers */
+    for (size_t q = 0; q < per_element; q += LINE) __builtin_prefetch(array + id * per_element + q);
+}
+
+WF_INLINE void fetch_up(const struct wf_groups_sweep *x, const struct wf_beam_group *g)
+{
+    for (int k = 0; k < g->n; k++) {
+        size_t i = (size_t)g->id[k];
+        fetch((const double *)x->mesh->part, i, PART + 1);
+        fetch(x->shape, i, SHAPE), fetch(x->stage, i, STAGE), fetch(x->pose, i, POSE);
+    }
+}
+
+WF_INLINE void fetch_down(const struct wf_groups_sweep *x, const struct wf_beam_group *g)
+{
+    for (int k = 0; k < g->n; k++) {
+        size_t i = (size_t)g->id[k];
+        fetch((const double *)x->mesh->part, i, PART + 1);
+        fetch(x->shape, i, SHAPE), fetch(x->stage, i, STAGE);
+        fetch(x->wrench, i, WRENCH), fetch(x->load, i, LOAD);
+        if (x->tangent) fetch(x->node, i, REACTION), fetch(x->answer, i, REACTION);
+    }
+}
+
 /* From the base up. */
 
 static __attribute__((noinline)) void up_some(const struct wf_groups_sweep *x, const struct some *s)
@@ -176,12 +210,14 @@ static __attribute__((noinline)) void up_some(const struct wf_groups_sweep *x, c
 
 static void up(struct wf_groups_sweep *x)
 {
-    for (size_t g = x->groups->n; g-- > 0;)
-        for (size_t from = 0; from < WF_GROUP; from += WF_WIDTH) {
-            if (x->groups->of[g][from] < 0) break;
-            struct some s = some_of(x->groups->of[g], from);
+    for (size_t g = x->groups->n; g-- > 0;) {
+        const struct wf_beam_group *group = &x->groups->group[g];
+        if (g) fetch_up(x, group - 1);
+        for (size_t from = 0; from < (size_t)group->n; from += WF_WIDTH) {
+            struct some s = some_of(group, from);
             up_some(x, &s);
         }
+    }
 }
 
 /* From the tips down. */
@@ -285,6 +321,13 @@ WF_INLINE void count_unstable(struct work *w, const struct some *s, const struct
     }
 }
 
+/* Elements taken by themselves; rare. Returned: lanes that have no answer so. */
+static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, const struct kinematics *k,
+                                                         by_base A)
+{
+    return bend_apart(&t->p, NULL, k, &t->s, t->at, 0, A);
+}
+
 /* Solve the element's equations; where its step is too large, take it by itself. Returned: such lanes. */
 WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const struct taken *t,
                                 const struct kinematics *k, real P[6][6], real S[6][6], by_base A, int from)
@@ -292,7 +335,7 @@ WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const stru
     real_truth broken = solve6(S, A, from), apart = { 0 };
     if (w->x->guard && real_any(apart = leaps(A, P) | broken)) {
         by_base alone;
-        real_truth still = bend_apart(&t->p, NULL, k, &t->s, t->at, 0, alone);
+        real_truth still = answer_apart(t, k, alone);
         broken = (broken & ~apart) | (apart & still);
         for (int r = 0; r < 6; r++)
             for (int c = from; c < 7; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
@@ -403,11 +446,14 @@ static bool down(struct wf_groups_sweep *x)
         !x->tangent ? forces_of_some
                     : (w.air.profile == WF_PROFILE_OTHER ? eliminate_varying : eliminate_upwards);
     x->negative = 0, x->bears = 0;
-    for (size_t g = 0; g < x->groups->n && !w.broken; g++)
-        for (size_t from = 0; from < WF_GROUP && x->groups->of[g][from] >= 0; from += WF_WIDTH) {
-            struct some s = some_of(x->groups->of[g], from);
+    for (size_t g = 0; g < x->groups->n && !w.broken; g++) {
+        const struct wf_beam_group *group = &x->groups->group[g];
+        if (g + 1 < x->groups->n) fetch_down(x, group + 1);
+        for (size_t from = 0; from < (size_t)group->n; from += WF_WIDTH) {
+            struct some s = some_of(group, from);
             of_some(&w, &s, from / WF_WIDTH);
         }
+    }
     sum_up(&w);
     return !w.broken;
 }
@@ -455,12 +501,11 @@ static void fill_groups(const struct wf_beam_mesh *m, struct ready *r, int32_t *
     for (size_t i = 0; i < m->n; i++)
         if (!waits[i] && m->part[i].parent >= 0) push(r, (int32_t)i);
     while (r->n) {
-        int32_t *group = out->of[out->n++];
-        size_t some = 0;
-        while (some < WF_GROUP && r->n) group[some++] = pop(r);
-        for (size_t k = some; k < WF_GROUP; k++) group[k] = -1;
-        for (size_t k = 0; k < some; k++) {
-            int32_t below = m->part[group[k]].parent;
+        struct wf_beam_group *g = &out->group[out->n++];
+        for (g->n = 0; g->n < WF_GROUP && r->n; g->n++) g->id[g->n] = pop(r);
+        for (int k = g->n; k < WF_GROUP; k++) g->id[k] = g->id[0];
+        for (int k = 0; k < g->n; k++) {
+            int32_t below = m->part[g->id[k]].parent;
             if (!--waits[below] && m->part[below].parent >= 0) push(r, below);
         }
     }
@@ -473,8 +518,8 @@ enum wf_status wf_beam_groups_make(const struct wf_beam_mesh *m, struct wf_arena
     struct wf_arena scratch = { 0 };
     int32_t *depth = WF_TAKE(&scratch, m->n, int32_t), *waits = WF_TAKE(&scratch, m->n, int32_t);
     struct ready r = { .id = WF_TAKE(&scratch, m->n, int32_t), .depth = depth };
-    *out = (struct wf_beam_groups){ .of = wf_arena_take(a, m->n, sizeof *out->of) };
-    bool memory = depth && waits && r.id && out->of;
+    *out = (struct wf_beam_groups){ .group = WF_TAKE(a, m->n, struct wf_beam_group) };
+    bool memory = depth && waits && r.id && out->group;
     for (size_t i = 0; i < m->n && memory; i++) {
         int32_t below = m->part[i].parent;
         if (below < 0) continue;

@@ -10,9 +10,13 @@ enum { WF_GROUP = 8 }; /* elements of a group */
 
 /* Groups in the order of the way down: what stands on an element comes in an earlier group. Elements that
  * stand on the ground are in none. n: 0 where too few elements can be taken together. */
+struct wf_beam_group {
+    int32_t n;            /* elements */
+    int32_t id[WF_GROUP]; /* the elements, then the first of them again */
+};
 struct wf_beam_groups {
     size_t n;
-    int32_t (*of)[WF_GROUP]; /* -1: no further element */
+    struct wf_beam_group *group;
 };
 
 /* Given: mesh. Returned: *out, in the arena. Method: of the elements on which all above is done, those farthest
