@@ -283,4 +283,38 @@ WF_INLINE void follow_answer(fixed half, const struct statics *q, struct wf_beam
     for (int i = 0; i < 6; i++)
         for (int c = from; c < BY_BASE; c++) B[i][c] += W[i][c];
 }
+/* R = S^-1; 0 in lanes whose S is singular. */
+WF_INLINE void invert6(real S[6][6], real R[6][6])
+{
+    real copy[6][6];
+    by_base B;
+    memcpy(copy, S, sizeof copy);
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < BY_BASE; c++) B[i][c] = real_of(i == c);
+    real_truth singular = solve6(copy, B, 0);
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 6; c++) R[i][c] = real_choose(singular, real_of(0), B[i][c]);
+}
+
+/* Factors of struct wf_beam_small but R. S: base wrench by y, without the part above. */
+WF_INLINE void small_of(fixed half, const struct statics *q, const struct wf_beam_wrench at[2],
+                        const struct wf_beam_reaction *above, real P[6][6], real S[6][6],
+                        struct wf_beam_small *o)
+{
+    real KP[6][6];
+    memcpy(o->P, P, sizeof o->P);
+    memcpy(o->Vn, q->Vn, sizeof o->Vn);
+    memcpy(o->Y, q->Y, sizeof o->Y);
+    for (int j = 0; j < 2; j++) memcpy(o->n[j], at[j].n, sizeof o->n[j]);
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 6; c++) {
+            KP[i][c] = real_of(0);
+            for (int m = 0; m < 6; m++) KP[i][c] += above->K[i][m] * P[m][c];
+            o->T[i][c] = S[i][c] + KP[i][c];
+        }
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 6; c++)
+            for (int m = 0; m < 3; m++)
+                o->T[3 + i][c] += half * (q->Vn[0][3 * i + m] + q->Vn[1][3 * i + m]) * KP[m][c];
+}
 #endif

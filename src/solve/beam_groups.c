@@ -12,13 +12,14 @@
 #define NAMED_(width) wf_groups_##width
 
 /* Numbers of an element in the arrays of struct wf_groups_sweep. */
-enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 42 };
+enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 42, SMALL = 150 };
 enum { PART = sizeof(element) / sizeof(real) };
 _Static_assert(sizeof(struct wf_beam_part) == offsetof(struct wf_beam_part, h) + PART * sizeof(double),
                "struct element is struct wf_beam_part from h on");
 _Static_assert(sizeof(struct wf_beam_shape) == SHAPE * sizeof(real) &&
                    sizeof(struct wf_beam_stage) == STAGE * sizeof(real) &&
-                   sizeof(struct wf_beam_reaction) == REACTION * sizeof(real),
+                   sizeof(struct wf_beam_reaction) == REACTION * sizeof(real) &&
+                   sizeof(struct wf_beam_small) == SMALL * sizeof(real),
                "numbers of an element");
 
 /* The lanes' places in an array of all elements. */
@@ -328,6 +329,22 @@ static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, 
     return bend_apart(&t->p, NULL, k, &t->s, t->at, 0, A);
 }
 
+/* What is kept for small loads. S: the element's equations. */
+static __attribute__((noinline)) void keep_small(const struct work *w, const struct some *s,
+                                                 const struct taken *t, const struct statics *q,
+                                                 real P[6][6], real S[6][6])
+{
+    struct wf_beam_small o;
+    real T[6][6];
+    by_base B;
+    struct places to = places_of(s, w->x->small, SMALL);
+    const real half = 0.5 * t->p.h;
+    invert6(S, o.R);
+    base_wrench_of(half, q, t->load, 0, T, B);
+    small_of(half, q, t->at, &t->above, P, T, &o);
+    scatter((const real *)&o, SMALL, s->n, &to);
+}
+
 /* Solve the element's equations; where its step is too large, take it by itself. Returned: such lanes. */
 WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const struct taken *t,
                                 const struct kinematics *k, real P[6][6], real S[6][6], by_base A, int from)
@@ -403,6 +420,7 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
     element_equations(&t.p, NULL, &k, &q, &t.s, t.at, from, S, A, Mn);
     attach_part_above(Mn, &t.above, P, Z, from, S, A);
     if (w->x->counting) count_unstable(w, s, &t, S, &k);
+    if (w->x->small) keep_small(w, s, &t, &q, P, S);
     real_truth apart = solve_some(w, s, &t, &k, P, S, A, from);
     for (int r = 0; r < 6; r++)
         for (int c = from; c < 7; c++) A[r][c] = -A[r][c];

@@ -30,6 +30,7 @@ struct wf_groups_sweep {
     const struct wf_beam_groups *groups;
     const struct wf_loads *loads;
     double *shape, *pose, *stage, *wrench, *load, *node, *answer;
+    double *small; /* NULL: not wanted; else filled with the tangent */
     double *off;   /* NULL: not wanted */
     bool *weak;    /* NULL: not wanted */
     bool tangent;  /* eliminate too */

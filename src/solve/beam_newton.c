@@ -32,7 +32,7 @@ static bool on_held(const struct wf_beam *b, size_t i)
 /* Are the elements that do not stand on the ground computed by groups? */
 static bool by_groups(const struct wf_beam *b)
 {
-    return b->groups.n && !b->flat && !b->held && !b->small && !(b->creep > 0);
+    return b->groups.n && !b->flat && !b->held && !(b->creep > 0);
 }
 
 static struct wf_groups_sweep groups_of(const struct wf_beam *b)
@@ -47,6 +47,7 @@ static struct wf_groups_sweep groups_of(const struct wf_beam *b)
                                      .load = &b->load[0][0][0],
                                      .node = &b->node->K[0][0],
                                      .answer = &b->answer->X[0][0],
+                                     .small = b->small ? &b->small->R[0][0] : NULL,
                                      .off = b->off,
                                      .weak = b->weak,
                                      .frozen = b->frozen };
