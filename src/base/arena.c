@@ -29,7 +29,7 @@ struct wf_arena_block {
 #if defined(__SANITIZE_ADDRESS__) || defined(WATCHED)
 enum { SPARE_MOST = 0 };
 #else
-enum { SPARE_MOST = 1 << 27 };
+enum { SPARE_MOST = 1 << 29 };
 #endif
 enum { SPARE_LEAST = 1 << 16 }; /* bytes of a block that is kept */
 static struct {

@@ -27,42 +27,6 @@ struct places {
     double *at[WF_WIDTH];
 };
 
-/* Rows to columns: number q of block[k] becomes number k of block[q]. */
-WF_INLINE void transpose(real block[WF_WIDTH])
-{
-#if WF_WIDTH == 4
-    for (int i = 0; i < 4; i += 2) {
-        real a = block[i], b = block[i + 1];
-        block[i] = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-        block[i + 1] = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    }
-    for (int i = 0; i < 2; i++) {
-        real a = block[i], b = block[i + 2];
-        block[i] = __builtin_shufflevector(a, b, 0, 1, 4, 5);
-        block[i + 2] = __builtin_shufflevector(a, b, 2, 3, 6, 7);
-    }
-#elif WF_WIDTH == 8
-    for (int i = 0; i < 8; i += 2) {
-        real a = block[i], b = block[i + 1];
-        block[i] = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
-        block[i + 1] = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-    }
-    for (int k = 0; k < 4; k++) {
-        int i = k / 2 * 4 + k % 2;
-        real a = block[i], b = block[i + 2];
-        block[i] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
-        block[i + 2] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-    for (int i = 0; i < 4; i++) {
-        real a = block[i], b = block[i + 4];
-        block[i] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
-        block[i + 4] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
-    }
-#else
-    (void)block;
-#endif
-}
-
 /* The first n numbers at each lane's place. */
 WF_INLINE void gather(const struct places *from, size_t n, real *to)
 {
@@ -73,7 +37,7 @@ WF_INLINE void gather(const struct places *from, size_t n, real *to)
         size_t at = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
         real block[WF_WIDTH];
         for (int k = 0; k < WF_WIDTH; k++) memcpy(&block[k], from->at[k] + at, sizeof(real));
-        transpose(block);
+        real_transpose(block);
         for (int k = 0; k < WF_WIDTH; k++) to[at + (size_t)k] = block[k];
     }
 }
@@ -88,7 +52,7 @@ WF_INLINE void scatter(const real *from, size_t n, size_t some, const struct pla
         size_t at = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
         real block[WF_WIDTH];
         for (int k = 0; k < WF_WIDTH; k++) block[k] = from[at + (size_t)k];
-        transpose(block);
+        real_transpose(block);
         for (size_t k = 0; k < some; k++) memcpy(to->at[k] + at, &block[k], sizeof(real));
     }
 }
@@ -101,7 +65,7 @@ WF_INLINE void scatter_add(const real *from, size_t n, size_t some, const struct
         size_t count = n - q < WF_WIDTH ? n - q : WF_WIDTH;
         real block[WF_WIDTH];
         for (size_t k = 0; k < WF_WIDTH; k++) block[k] = k < count ? from[q + k] : real_of(0);
-        transpose(block);
+        real_transpose(block);
         for (size_t k = 0; k < some && count == WF_WIDTH; k++) {
             real sum;
             memcpy(&sum, to->at[k] + q, sizeof sum);
