@@ -77,7 +77,8 @@ WF_INLINE void scatter_add(const real *from, size_t n, size_t some, const struct
     }
 }
 
-/* Up to WF_WIDTH elements of a group. Lanes to spare repeat the first element, and nothing is kept of them. */
+/* Up to WF_WIDTH elements of a group. Lanes to spare repeat the first element, and nothing is kept of them.
+ */
 struct some {
     size_t n;
     const int32_t *id;
@@ -217,8 +218,7 @@ WF_INLINE void load_at(const struct work *w, int j, struct taken *t)
     memcpy(point.x, t->s.r[j], sizeof point.x), memcpy(point.t, t->s.t[j], sizeof point.t);
     load_points(&w->air, &point, &t->load[j]);
     v3_add(t->load[j].force, real_of(l->point_scale), t->p.dead[j]);
-    for (int i = 0; i < 9 && w->x->frozen; i++)
-        t->load[j].by_place[i] = t->load[j].by_turn[i] = real_of(0);
+    for (int i = 0; i < 9 && w->x->frozen; i++) t->load[j].by_place[i] = t->load[j].by_turn[i] = real_of(0);
 }
 
 WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
@@ -241,7 +241,9 @@ WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
 WF_INLINE void add_misfit(struct work *w, const struct some *s, const struct taken *t, real k[2][3],
                           real gap[2][3], struct beam_misfit *sum)
 {
-    struct beam_misfit here = { .bending = real_of(0), .energy = real_of(0), .strain = real_of(0), .turn = real_of(0) };
+    struct beam_misfit here = {
+        .bending = real_of(0), .energy = real_of(0), .strain = real_of(0), .turn = real_of(0)
+    };
     misfit_add(&t->p, NULL, &t->s, t->at, k, gap, &here);
     sum->bending += real_choose(s->here, here.bending, real_of(0));
     sum->energy += real_choose(s->here, here.energy, real_of(0));
@@ -295,8 +297,8 @@ static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, 
 
 /* What is kept for small loads. S: the element's equations. */
 static __attribute__((noinline)) void keep_small(const struct work *w, const struct some *s,
-                                                 const struct taken *t, const struct statics *q,
-                                                 real P[6][6], real S[6][6])
+                                                 const struct taken *t, const struct statics *q, real P[6][6],
+                                                 real S[6][6])
 {
     struct wf_beam_small o;
     real T[6][6];
@@ -325,20 +327,30 @@ WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const stru
     return apart;
 }
 
-/* Columns left out are zero. */
-WF_INLINE void keep_reaction(const struct some *s, double *array, int from, by_base A)
+/* A row per unknown, as struct wf_beam_reaction; columns left out are those of the unit matrix times `unit`.
+ */
+WF_INLINE void keep_reaction(const struct some *s, double *array, int from, double unit, by_base A)
 {
     real row[REACTION];
     struct places to = places_of(s, array, REACTION);
     for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(0) : A[r][c];
+        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(r == c ? unit : 0) : A[r][c];
         row[36 + r] = A[r][6];
     }
     scatter(row, REACTION, s->n, &to);
 }
 
+/* Rows of the end's motion that follow_answer leaves out. */
+WF_INLINE void add_left_out(real P[6][6], by_base y, int from, by_base Z)
+{
+    for (int i = 0; i < from; i++)
+        for (int m = 0; m < 6; m++)
+            for (int c = from; c < 7; c++) Z[i][c] += P[i][m] * y[m][c];
+}
+
 /* Pass the reaction on to the elements below. */
-WF_INLINE void pass_reaction(const struct work *w, const struct some *s, int from, by_base B, real_truth apart)
+WF_INLINE void pass_reaction(const struct work *w, const struct some *s, int from, by_base B,
+                             real_truth apart)
 {
     real row[REACTION];
     struct places to = places_below(w->x, s, w->x->node, REACTION);
@@ -390,8 +402,9 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
         for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
     base_wrench_of(half, &q, t.load, from, T, B);
     follow_answer(half, &q, &t.above, P, T, A, from, Z, B);
-    keep_reaction(s, w->x->answer, from, A);
-    keep_reaction(s, w->x->node, from, Z);
+    add_left_out(P, A, from, Z);
+    keep_reaction(s, w->x->answer, from, 0, A);
+    keep_reaction(s, w->x->node, from, 1, Z);
     pass_reaction(w, s, from, B, apart);
 }
 
@@ -517,9 +530,12 @@ enum wf_status wf_beam_groups_make(const struct wf_beam_mesh *m, struct wf_arena
 const struct wf_groups_kernel *wf_groups_kernel(void)
 {
     switch (wf_lanes_kernel(WF_LANES_MOST)->width) {
-    case 8: return &wf_groups_8;
-    case 4: return &wf_groups_4;
-    default: return &wf_groups_1;
+    case 8:
+        return &wf_groups_8;
+    case 4:
+        return &wf_groups_4;
+    default:
+        return &wf_groups_1;
     }
 }
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_GROUPS_H
 #define WF_SOLVE_BEAM_GROUPS_H
-/* Sweeps over a tree by groups of elements of one state, none of which stands on another of its group. A group
- * is computed side by side, an element in each lane; beam_groups.c is compiled once for every width, and the
- * results have the same bytes at any width. Sections are round. */
+/* Sweeps over a tree by groups of elements of one state, none of which stands on another of its group. A
+ * group is computed side by side, an element in each lane; beam_groups.c is compiled once for every width,
+ * and the results have the same bytes at any width. Sections are round. */
 #include "solve/beam_mesh.h"
 
 enum { WF_GROUP = 8 }; /* elements of a group */
@@ -19,8 +19,9 @@ struct wf_beam_groups {
     struct wf_beam_group *group;
 };
 
-/* Given: mesh. Returned: *out, in the arena. Method: of the elements on which all above is done, those farthest
- * from the ground come first, which gives the fewest groups (Hu 1961, Oper. Res. 9:841). Errors: WF_ENOMEM. */
+/* Given: mesh. Returned: *out, in the arena. Method: of the elements on which all above is done, those
+ * farthest from the ground come first, which gives the fewest groups (Hu 1961, Oper. Res. 9:841). Errors:
+ * WF_ENOMEM. */
 enum wf_status wf_beam_groups_make(const struct wf_beam_mesh *m, struct wf_arena *a,
                                    struct wf_beam_groups *out, struct wf_err *e);
 
