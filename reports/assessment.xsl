@@ -38,7 +38,13 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id" select="concat('as.years.', $a/return_period_bound)"/>
         <xsl:with-param name="a">
-          <xsl:call-template name="number"><xsl:with-param name="x" select="$a/return_period/value"/></xsl:call-template>
+          <!-- two figures: a wind that is known to a tenth -->
+          <xsl:variable name="x" select="$a/return_period/value"/>
+          <xsl:variable name="ten" select="1 + 9 * ($x &gt;= 99.5) + 90 * ($x &gt;= 995) + 900 * ($x &gt;= 9950)"/>
+          <xsl:choose>
+            <xsl:when test="$x &lt; 9.95"><xsl:value-of select="format-number($x, '0.#')"/></xsl:when>
+            <xsl:otherwise><xsl:value-of select="format-number($ten * round($x div $ten), '#,##0')"/></xsl:otherwise>
+          </xsl:choose>
         </xsl:with-param>
       </xsl:call-template>
     </xsl:when>

@@ -6,6 +6,46 @@
 <xsl:variable name="f" select="$r/fit"/>
 
 <!-- About four significant digits. -->
+<!-- "um/m" as it is written; the context has a unit. -->
+<xsl:template name="unit-words">
+  <xsl:choose>
+    <xsl:when test="unit = 'um/m'">µm/m</xsl:when><xsl:when test="unit = 'deg'">°</xsl:when>
+    <xsl:otherwise><xsl:value-of select="unit"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- A fitted parameter in words, with its key: "level0.youngs_modulus" is Young's modulus of the stem. -->
+<xsl:template name="parameter-words">
+  <xsl:variable name="level" select="substring-before(substring-after(name, 'level'), '.')"/>
+  <xsl:variable name="key">
+    <xsl:choose>
+      <xsl:when test="starts-with(name, 'level') and $level != ''">
+        <xsl:value-of select="substring-after(name, '.')"/></xsl:when>
+      <xsl:when test="starts-with(name, 'each.')"><xsl:value-of select="substring-after(name, 'each.')"/></xsl:when>
+      <xsl:otherwise><xsl:value-of select="name"/></xsl:otherwise>
+    </xsl:choose>
+  </xsl:variable>
+  <xsl:variable name="words">
+    <xsl:call-template name="term">
+      <xsl:with-param name="id" select="concat('par.', $key)"/>
+      <xsl:with-param name="otherwise"><xsl:call-template name="term">
+        <xsl:with-param name="id" select="$key"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+  </xsl:variable>
+  <xsl:choose>
+    <xsl:when test="$words = ''"><xsl:value-of select="name"/></xsl:when>
+    <xsl:otherwise>
+      <xsl:value-of select="$words"/>
+      <xsl:if test="$level != ''">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">par.of<xsl:if test="$level != '0'">.level</xsl:if></xsl:with-param>
+          <xsl:with-param name="a" select="$level"/>
+        </xsl:call-template>
+      </xsl:if>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <xsl:template name="four">
   <xsl:param name="x"/>
   <xsl:variable name="a" select="$x * (1 - 2 * ($x &lt; 0))"/>
@@ -88,7 +128,7 @@
   <xsl:variable name="value"><xsl:call-template name="value"/></xsl:variable>
   <xsl:variable name="profiled" select="profile_low != '' or profile_high != ''"/>
   <p>
-    <b><xsl:value-of select="name"/></b>
+    <b><xsl:call-template name="parameter-words"/></b>
     <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
     <xsl:call-template name="say">
       <xsl:with-param name="id">
@@ -220,7 +260,7 @@
     <tbody>
       <xsl:for-each select="$f/parameters/item">
         <tr>
-          <td><xsl:value-of select="name"/></td><td><xsl:value-of select="unit"/></td>
+          <td><xsl:call-template name="parameter-words"/></td><td><xsl:call-template name="unit-words"/></td>
           <xsl:call-template name="four-cell"><xsl:with-param name="x" select="value"/></xsl:call-template>
           <xsl:call-template name="range-cell">
             <xsl:with-param name="low" select="low"/><xsl:with-param name="high" select="high"/>
@@ -261,7 +301,7 @@
       <tr>
         <th/>
         <xsl:for-each select="$f/parameters/item[nuisance = 'false']">
-          <th class="r"><xsl:value-of select="name"/></th>
+          <th class="r"><xsl:call-template name="parameter-words"/></th>
         </xsl:for-each>
       </tr>
     </thead>
@@ -269,7 +309,7 @@
       <xsl:for-each select="$f/parameters/item[nuisance = 'false']">
         <xsl:variable name="row" select="position()"/>
         <tr>
-          <td><xsl:value-of select="name"/></td>
+          <td><xsl:call-template name="parameter-words"/></td>
           <xsl:for-each select="correlation/item">
             <td class="r">
               <xsl:if test="position() &lt;= $row">
@@ -324,16 +364,19 @@
           </td>
           <td class="r">
             <xsl:if test="height != ''">
-              <xsl:call-template name="four"><xsl:with-param name="x" select="height"/></xsl:call-template>
+              <xsl:call-template name="given"><xsl:with-param name="x" select="height"/></xsl:call-template>
             </xsl:if>
           </td>
           <td class="r"><xsl:value-of select="readings"/></td>
           <td class="r">
-            <xsl:call-template name="four"><xsl:with-param name="x" select="sigma"/></xsl:call-template>
-            <xsl:if test="estimated = 'true'"> (e)</xsl:if>
+            <xsl:choose>
+              <xsl:when test="estimated = 'true'">
+                <xsl:call-template name="four"><xsl:with-param name="x" select="sigma"/></xsl:call-template> (e)</xsl:when>
+              <xsl:otherwise><xsl:call-template name="given"><xsl:with-param name="x" select="sigma"/></xsl:call-template></xsl:otherwise>
+            </xsl:choose>
           </td>
           <xsl:call-template name="four-cell"><xsl:with-param name="x" select="rms"/></xsl:call-template>
-          <td><xsl:value-of select="unit"/></td>
+          <td><xsl:call-template name="unit-words"/></td>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="correlation"/><xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>
@@ -409,7 +452,7 @@
             <xsl:with-param name="id">ft.tree</xsl:with-param>
             <xsl:with-param name="a" select="name"/><xsl:with-param name="b" select="species"/>
             <xsl:with-param name="c">
-              <xsl:call-template name="four"><xsl:with-param name="x" select="height"/></xsl:call-template>
+              <xsl:call-template name="given"><xsl:with-param name="x" select="height"/></xsl:call-template>
             </xsl:with-param>
             <xsl:with-param name="d" select="segments"/>
           </xsl:call-template>
@@ -424,6 +467,7 @@
 
 <xsl:template match="/report" mode="body">
   <xsl:call-template name="summary"/>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.calibration</xsl:with-param></xsl:call-template>
   <xsl:call-template name="findings"><xsl:with-param name="id">ft.h.beware</xsl:with-param></xsl:call-template>
   <xsl:if test="$r/note != ''">
     <xsl:call-template name="h2"><xsl:with-param name="id">ft.h.study</xsl:with-param></xsl:call-template>

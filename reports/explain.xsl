@@ -14,6 +14,7 @@
     <p><xsl:call-template name="say"><xsl:with-param name="id">ex.note</xsl:with-param></xsl:call-template></p>
     <p><xsl:for-each select="$r/scenario[gust_over_mean/value]"><xsl:call-template name="site-line"/></xsl:for-each></p>
   </div>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.explain</xsl:with-param></xsl:call-template>
   <xsl:apply-templates select="$r/explained/item" mode="section"/>
   <xsl:call-template name="findings"><xsl:with-param name="id">h.departures</xsl:with-param></xsl:call-template>
 </xsl:template>

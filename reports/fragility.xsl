@@ -41,6 +41,7 @@
     </p>
     <p><xsl:call-template name="say"><xsl:with-param name="id">iv.note</xsl:with-param></xsl:call-template></p>
   </div>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.fragility</xsl:with-param></xsl:call-template>
   <xsl:call-template name="h2"><xsl:with-param name="id">fr.h.curve</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure"><xsl:with-param name="name">fragility</xsl:with-param></xsl:call-template>
   <xsl:call-template name="h2"><xsl:with-param name="id">h.interval</xsl:with-param></xsl:call-template>

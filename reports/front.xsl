@@ -13,15 +13,26 @@
   </xsl:choose>
 </xsl:template>
 
+<!-- A wind with as many figures as its interval allows: whole metres a second where that is wider than two of them. The context is
+     a tree. -->
+<xsl:template name="front-figures">
+  <xsl:param name="x"/>
+  <xsl:choose>
+    <xsl:when test="$x &gt;= 10 and interval/high_m_s - interval/low_m_s &gt; 2"><xsl:value-of select="format-number($x, '0')"/></xsl:when>
+    <xsl:otherwise><xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- "25.2 m/s (3-s gust 38.3 m/s)" -->
 <xsl:template name="front-speed">
   <xsl:param name="x"/><xsl:param name="id">fp.wind</xsl:param>
   <xsl:call-template name="say">
     <xsl:with-param name="id" select="$id"/>
     <xsl:with-param name="a">
-      <xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:with-param>
-    <xsl:with-param name="b">
-      <xsl:call-template name="gust"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:with-param>
+      <xsl:call-template name="front-figures"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="b"><xsl:call-template name="front-figures">
+      <xsl:with-param name="x" select="$x * $trees[1]/scenario/gust_over_mean/value"/>
+    </xsl:call-template></xsl:with-param>
   </xsl:call-template>
 </xsl:template>
 
@@ -223,10 +234,25 @@
   </xsl:choose>
 </xsl:template>
 
+<!-- "yes": the critical winds from all directions agree within half a per cent. -->
+<xsl:template name="same-from-all">
+  <xsl:variable name="all" select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found']"/>
+  <xsl:variable name="first" select="($all[1]/loss/critical_speed | $all[1][not(loss)]/critical_stem/speed)/value"/>
+  <xsl:variable name="off" select="$all[(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value &gt; 1.0025 * $first or
+    (loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value &lt; 0.9975 * $first]"/>
+  <xsl:if test="$all and not($off) and count($all) = count(directions/directions/item)">yes</xsl:if>
+</xsl:template>
+
 <!-- The direction in which the tree is weakest, or which one was computed. -->
 <xsl:template name="front-direction">
   <xsl:variable name="all" select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found']"/>
+  <xsl:variable name="same"><xsl:call-template name="same-from-all"/></xsl:variable>
   <xsl:choose>
+    <xsl:when test="$same = 'yes'">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">fp.direction.all</xsl:with-param><xsl:with-param name="a" select="directions/number"/>
+      </xsl:call-template>
+    </xsl:when>
     <xsl:when test="$all">
       <xsl:for-each select="$all">
         <xsl:sort select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value" data-type="number"/>
@@ -301,21 +327,21 @@
   </table>
 </xsl:template>
 
-<!-- What nobody looked at, and how much of the input was measured. -->
+<!-- What nobody looked at in any of the trees of the page, and how much of the input was measured. -->
 <xsl:template name="front-missing">
   <div class="lacks">
     <h3><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks</xsl:with-param></xsl:call-template></h3>
     <ul>
-      <xsl:for-each select="verdict/not_assessed/item">
-        <li>
+      <xsl:for-each select="$trees/verdict/not_assessed/item">
+        <xsl:if test="not(../../../preceding-sibling::item/verdict/not_assessed/item[criterion = current()/criterion])"><li>
           <xsl:call-template name="say">
             <xsl:with-param name="id" select="concat('unassessed.', criterion)"/>
             <xsl:with-param name="a"><xsl:call-template name="unassessed-why"/></xsl:with-param>
           </xsl:call-template>
-        </li>
+        </li></xsl:if>
       </xsl:for-each>
       <xsl:choose>
-        <xsl:when test="assessment">
+        <xsl:when test="$trees/assessment">
           <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.card</xsl:with-param></xsl:call-template></li>
         </xsl:when>
         <xsl:otherwise>
@@ -323,7 +349,10 @@
         </xsl:otherwise>
       </xsl:choose>
       <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.all</xsl:with-param></xsl:call-template></li>
-      <xsl:if test="not(interval)">
+      <xsl:if test="$trees[1]/scenario and count($trees) &gt; 1 and not($trees/directions)">
+        <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.directions</xsl:with-param></xsl:call-template></li>
+      </xsl:if>
+      <xsl:if test="$trees[not(interval)]">
         <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.interval</xsl:with-param></xsl:call-template></li>
       </xsl:if>
     </ul>
@@ -556,8 +585,7 @@
       </xsl:for-each>
     </tbody>
   </table>
-  <p class="care"><xsl:call-template name="care"/></p>
-  <xsl:call-template name="care-scan"/>
+  <xsl:call-template name="front-missing"/>
   <xsl:call-template name="picture"><xsl:with-param name="name">photo</xsl:with-param></xsl:call-template>
   <xsl:call-template name="front-figure"><xsl:with-param name="name">shapes</xsl:with-param></xsl:call-template>
 </xsl:template>

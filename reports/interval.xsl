@@ -94,7 +94,7 @@
 
 <xsl:template name="iv-safety">
   <xsl:param name="name"/>
-  <table class="data">
+  <table class="data narrow">
     <xsl:call-template name="caption">
         <xsl:with-param name="id">iv.safety</xsl:with-param><xsl:with-param name="a" select="$name"/></xsl:call-template>
     <thead><tr>
@@ -104,8 +104,12 @@
       <xsl:for-each select="safeties/item">
         <tr>
           <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="speed"/></xsl:call-template></td>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="low"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="high"/></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="low"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="high"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>
@@ -129,9 +133,12 @@
 </xsl:template>
 
 <xsl:template name="iv-critical">
-  <xsl:param name="x"/>
+  <xsl:param name="x"/><xsl:param name="stands"/>
   <td class="r">
     <xsl:choose>
+      <xsl:when test="$stands = 'false'">
+        <xsl:call-template name="say"><xsl:with-param name="id">iv.falls</xsl:with-param></xsl:call-template>
+      </xsl:when>
       <xsl:when test="string($x) = ''">&gt; <xsl:value-of select="format-number(../../searched_to_m_s, '0')"/></xsl:when>
       <xsl:otherwise><xsl:value-of select="format-number($x, '0.0')"/></xsl:otherwise>
     </xsl:choose>
@@ -149,7 +156,7 @@
           iv.c.at_low:m/s;iv.c.at_high:m/s</xsl:with-param>
       </xsl:call-template>
     </tr></thead>
-    <tbody>
+    <tbody class="long">
       <xsl:for-each select="varied/item">
         <xsl:variable name="quantity" select="quantity"/>
         <xsl:variable name="unit">
@@ -181,8 +188,12 @@
           <xsl:call-template name="iv-value"><xsl:with-param name="x" select="value"/></xsl:call-template>
           <xsl:call-template name="iv-value"><xsl:with-param name="x" select="low"/></xsl:call-template>
           <xsl:call-template name="iv-value"><xsl:with-param name="x" select="high"/></xsl:call-template>
-          <xsl:call-template name="iv-critical"><xsl:with-param name="x" select="critical_at_low_m_s"/></xsl:call-template>
-          <xsl:call-template name="iv-critical"><xsl:with-param name="x" select="critical_at_high_m_s"/></xsl:call-template>
+          <xsl:call-template name="iv-critical">
+            <xsl:with-param name="x" select="critical_at_low_m_s"/><xsl:with-param name="stands" select="stands_at_low"/>
+          </xsl:call-template>
+          <xsl:call-template name="iv-critical">
+            <xsl:with-param name="x" select="critical_at_high_m_s"/><xsl:with-param name="stands" select="stands_at_high"/>
+          </xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>

@@ -155,6 +155,7 @@
     <p><xsl:call-template name="say"><xsl:with-param name="id">md.note</xsl:with-param></xsl:call-template></p>
     <p><xsl:for-each select="$r/scenario[gust_over_mean/value]"><xsl:call-template name="site-line"/></xsl:for-each></p>
   </div>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.modes</xsl:with-param></xsl:call-template>
   <xsl:call-template name="h2"><xsl:with-param name="id">md.h.sways</xsl:with-param></xsl:call-template>
   <xsl:call-template name="sways"/>
   <xsl:call-template name="h2"><xsl:with-param name="id">md.h.modes</xsl:with-param></xsl:call-template>

@@ -171,6 +171,23 @@
   </xsl:if>
 </xsl:template>
 
+<!-- On the first page: what was not looked at, the string `id`, and how many warnings there are. -->
+<xsl:template name="not-looked">
+  <xsl:param name="id"/>
+  <p class="care">
+    <xsl:call-template name="say"><xsl:with-param name="id">nl</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+    <xsl:if test="$r/warnings/item">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">nl.warnings<xsl:if test="count($r/warnings/item) = 1">.one</xsl:if></xsl:with-param>
+        <xsl:with-param name="a" select="count($r/warnings/item)"/>
+      </xsl:call-template>
+    </xsl:if>
+  </p>
+</xsl:template>
+
 <!-- Results that are not all that was ordered, or that nobody can check: said on top of the page. -->
 <xsl:template name="status">
   <xsl:if test="$r/status = 'interrupted' or $r/status = 'unverified'">
@@ -235,7 +252,9 @@
       <xsl:when test="kind = 'grade'">
         <xsl:call-template name="say">
           <xsl:with-param name="id">ws.grade</xsl:with-param>
-          <xsl:with-param name="a" select="$p[1]/text"/>
+          <xsl:with-param name="a">
+            <xsl:call-template name="as-typed"><xsl:with-param name="text" select="$p[1]/text"/></xsl:call-template>
+          </xsl:with-param>
           <xsl:with-param name="b">
             <xsl:call-template name="term">
               <xsl:with-param name="id" select="concat('grade.', $p[2]/text)"/><xsl:with-param name="otherwise" select="$p[2]/text"/>
@@ -264,7 +283,10 @@
               <xsl:with-param name="a" select="$p[1]/text"/>
             </xsl:call-template>
           </xsl:with-param>
-          <xsl:with-param name="b" select="$p[2]/text"/><xsl:with-param name="c" select="$p[3]/text"/>
+          <xsl:with-param name="b">
+            <xsl:call-template name="as-typed"><xsl:with-param name="text" select="$p[2]/text"/></xsl:call-template>
+          </xsl:with-param>
+          <xsl:with-param name="c" select="$p[3]/text"/>
           <xsl:with-param name="d" select="$p[4]/text"/><xsl:with-param name="e" select="$p[5]/text"/>
           <xsl:with-param name="f" select="$p[6]/text"/>
           <xsl:with-param name="g">

@@ -135,6 +135,37 @@ def use_few_glyphs():
     Font.clean = clean
 
 
+# A last page of a few lines is filled by none but the machine: then margins and lines are closer, where that saves the page.
+CLOSER = '@page { margin-top: 16mm !important; margin-bottom: 14mm !important } html, body { line-height: 1.36 !important }'
+SPARSE = 0.3
+
+
+def filled(page):
+    """The share of a page's height that its lines, rows and pictures reach."""
+    low, waiting, box = 0, [page._page_box], page._page_box
+    top, height = box.content_box_y(), box.height
+    while waiting:
+        box = waiting.pop()
+        children = getattr(box, 'children', ())
+        waiting += [c for c in children if not type(c).__name__.startswith('Margin')]
+        if not children and box.position_y >= top:
+            low = max(low, box.position_y + (box.height if isinstance(box.height, (int, float)) else 0) - top)
+    return low / height
+
+
+def laid_out(html):
+    document = html.render()
+    if len(document.pages) < 2:
+        return document
+    try:
+        if filled(document.pages[-1]) > SPARSE:
+            return document
+        closer = html.render(stylesheets=[weasyprint.CSS(string=CLOSER)])
+    except AttributeError:  # of another version, whose boxes have other names
+        return document
+    return closer if len(closer.pages) < len(document.pages) else document
+
+
 def orders():
     waiting = b''
     while True:
@@ -162,7 +193,7 @@ def main():
         os.chdir(folder)
         with open(page, 'rb') as f:
             html = f.read()
-        weasyprint.HTML(string=html, encoding='utf-8', url_fetcher=fetch).write_pdf(os.fsdecode(file))
+        laid_out(weasyprint.HTML(string=html, encoding='utf-8', url_fetcher=fetch)).write_pdf(os.fsdecode(file))
         sys.stdout.flush()
         os.write(1, b'\0')
 

@@ -172,7 +172,7 @@
     </p>
   </xsl:if>
   <xsl:for-each select="/report/figures/figure[substring(@name,
-      string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)]">
+      string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)][position() &lt;= 2]">
     <xsl:call-template name="figure">
       <xsl:with-param name="name" select="@name"/>
       <xsl:with-param name="id" select="concat('cap.', substring(@name, 1, string-length(@name) - string-length(concat('_', $n))))"/>
@@ -207,6 +207,13 @@
         <xsl:call-template name="n"><xsl:with-param name="x" select="value"/></xsl:call-template>
       </xsl:for-each></tr></tbody>
   </table>
+  <xsl:for-each select="/report/figures/figure[substring(@name,
+      string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)][position() &gt; 2]">
+    <xsl:call-template name="figure">
+      <xsl:with-param name="name" select="@name"/>
+      <xsl:with-param name="id" select="concat('cap.', substring(@name, 1, string-length(@name) - string-length(concat('_', $n))))"/>
+    </xsl:call-template>
+  </xsl:for-each>
 </xsl:template>
 
 <!-- "2.1e-16" as it is written by the program, or a plain 0. -->
@@ -300,6 +307,22 @@
 </xsl:template>
 
 <xsl:template match="/report" mode="body">
+  <div class="summary">
+    <xsl:for-each select="$r/runs/item">
+      <p>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">rn.summary</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="term">
+            <xsl:with-param name="id" select="concat('rn.name.', translate(name, ' ,', '--'))"/>
+            <xsl:with-param name="otherwise" select="name"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="b" select="hits"/><xsl:with-param name="c" select="merged"/><xsl:with-param name="d" select="fell"/>
+          <xsl:with-param name="e"><xsl:call-template name="number">
+            <xsl:with-param name="x" select="frequency_Hz"/></xsl:call-template></xsl:with-param>
+        </xsl:call-template>
+      </p>
+    </xsl:for-each>
+  </div>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.rain</xsl:with-param></xsl:call-template>
   <xsl:call-template name="rain-runs"/>
   <xsl:call-template name="rain-leaf"/>
   <xsl:for-each select="$r/runs/item"><xsl:call-template name="rain-run"/></xsl:for-each>

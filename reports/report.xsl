@@ -292,6 +292,32 @@
   </table>
 </xsl:template>
 
+<!-- Cables that hold a tree. -->
+<xsl:template name="guys-table">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">gy.caption</xsl:with-param></xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">c.br.tree;c.gy.height:m;c.gy.distance:m;c.gy.towards:°;
+        c.gy.stiffness:kN/m;c.gy.pretension:kN;c.gy.pull:kN</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="$trees/guys/item">
+        <tr>
+          <td><xsl:if test="position() = 1"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if></td>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="height/value"/></xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="distance/value"/></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="towards/value * 57.29577951308232"/><xsl:with-param name="pattern">0</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="stiffness/value div 1000"/></xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="pretension/value div 1000"/></xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="pull/value div 1000"/></xsl:call-template>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
 <!-- Trees with rain on their leaves, or with snow and ice, beside the same trees without: "of" is "wetted" or "winter". -->
 <xsl:template name="wetted-table">
   <xsl:param name="of"/>
@@ -395,6 +421,7 @@
         <xsl:if test="$trees/unions"><xsl:call-template name="union-tables"/></xsl:if>
         <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
+        <xsl:if test="$trees/guys/item"><xsl:call-template name="guys-table"/></xsl:if>
         <xsl:if test="$trees/winter">
           <xsl:call-template name="wetted-table"><xsl:with-param name="of">winter</xsl:with-param></xsl:call-template>
         </xsl:if>

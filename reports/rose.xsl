@@ -7,7 +7,9 @@
 <xsl:template match="/report" mode="title">
   <xsl:call-template name="say"><xsl:with-param name="id">rs.title</xsl:with-param></xsl:call-template>
 </xsl:template>
-<xsl:template match="/report" mode="sub"><xsl:value-of select="$r/file"/></xsl:template>
+<xsl:template match="/report" mode="sub">
+  <xsl:call-template name="base-name"><xsl:with-param name="path" select="$r/file"/></xsl:call-template>
+</xsl:template>
 
 <xsl:template name="hours-row">
   <xsl:call-template name="cell">
@@ -47,9 +49,10 @@
       </xsl:call-template>
     </p>
   </div>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.rose</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure">
     <xsl:with-param name="name">wind_rose</xsl:with-param>
-    <xsl:with-param name="width">76%</xsl:with-param>
+    <xsl:with-param name="width">70%</xsl:with-param>
   </xsl:call-template>
   <table class="data">
     <xsl:call-template name="caption">
@@ -118,7 +121,7 @@
   </p>
   <xsl:call-template name="figure">
     <xsl:with-param name="name">rose_record</xsl:with-param>
-    <xsl:with-param name="width">76%</xsl:with-param>
+    <xsl:with-param name="width">70%</xsl:with-param>
   </xsl:call-template>
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">rs.fits</xsl:with-param></xsl:call-template>

@@ -46,6 +46,15 @@
   </xsl:call-template>
 </xsl:template>
 
+<!-- The tree of a run, by the name of its species. -->
+<xsl:template name="run-tree">
+  <xsl:choose>
+    <xsl:when test="$lang = 'zh' and species_zh != ''"><xsl:value-of select="species_zh"/></xsl:when>
+    <xsl:when test="species_name != ''"><xsl:value-of select="species_name"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="species"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <xsl:template name="runs">
   <table class="data runs">
     <xsl:call-template name="caption"><xsl:with-param name="id">sr.runs</xsl:with-param></xsl:call-template>
@@ -61,7 +70,7 @@
       <tbody>
         <tr>
           <td><xsl:call-template name="run-name"/></td>
-          <td><xsl:value-of select="concat(species, ', ', model)"/></td>
+          <td><xsl:call-template name="run-tree"/>, <xsl:value-of select="model"/></td>
           <td><xsl:call-template name="method-words"/></td>
           <xsl:call-template name="n"><xsl:with-param name="x" select="wind_mean_m_s"/></xsl:call-template>
           <xsl:call-template name="n"><xsl:with-param name="x" select="youngs_modulus_Pa div 1e9"/></xsl:call-template>
@@ -142,7 +151,35 @@
 </xsl:template>
 
 <xsl:template match="/report" mode="body">
-  <xsl:if test="$r/note != ''"><div class="summary"><p><xsl:value-of select="$r/note"/></p></div></xsl:if>
+  <div class="summary">
+    <xsl:for-each select="$r/runs/item[position() &lt;= 12]">
+      <p>
+        <xsl:if test="count($r/runs/item) &gt; 1"><xsl:value-of select="concat(position(), '. ')"/></xsl:if>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">sr.summary</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="run-tree"/></xsl:with-param>
+          <xsl:with-param name="b"><xsl:call-template name="number">
+            <xsl:with-param name="x" select="wind_mean_m_s"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="c"><xsl:call-template name="number">
+            <xsl:with-param name="x" select="tip_deflection_largest_m"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="d"><xsl:call-template name="number">
+            <xsl:with-param name="x" select="100 * tip_deflection_largest_m div height_m"/></xsl:call-template></xsl:with-param>
+        </xsl:call-template>
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">sr.summary.<xsl:choose>
+            <xsl:when test="breaks_at_s != ''">breaks</xsl:when><xsl:when test="safety_least != ''">holds</xsl:when>
+            <xsl:otherwise>unknown</xsl:otherwise></xsl:choose></xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="number">
+            <xsl:with-param name="x" select="breaks_at_s"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="b"><xsl:call-template name="number">
+            <xsl:with-param name="x" select="safety_least"/></xsl:call-template></xsl:with-param>
+        </xsl:call-template>
+      </p>
+    </xsl:for-each>
+    <xsl:if test="$r/note != ''"><p><xsl:value-of select="$r/note"/></p></xsl:if>
+  </div>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.series</xsl:with-param></xsl:call-template>
   <xsl:call-template name="h2"><xsl:with-param name="id">sr.h.runs</xsl:with-param></xsl:call-template>
   <xsl:call-template name="runs"/>
   <xsl:call-template name="shapes"/>

@@ -184,6 +184,7 @@
 
 <xsl:template match="/report" mode="body">
   <xsl:call-template name="summary"/>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.shelter</xsl:with-param></xsl:call-template>
   <xsl:call-template name="inputs"/>
   <xsl:call-template name="slabs"/>
   <xsl:call-template name="figure"><xsl:with-param name="name">shelter_slabs</xsl:with-param></xsl:call-template>

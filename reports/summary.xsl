@@ -375,7 +375,14 @@
   <xsl:call-template name="overturns-too"/>
   <xsl:call-template name="room-lines"/>
   <xsl:call-template name="fails-first"/>
-  <xsl:for-each select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found' and
+  <xsl:variable name="same"><xsl:call-template name="same-from-all"/></xsl:variable>
+  <xsl:if test="$same = 'yes'">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.weakest.none</xsl:with-param><xsl:with-param name="a" select="directions/number"/>
+    </xsl:call-template>
+  </xsl:if>
+  <xsl:for-each select="directions[$same != 'yes']/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found' and
     critical_stem/within_limits = 'true']">
     <xsl:sort select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value" data-type="number"/>
     <xsl:if test="position() = 1">

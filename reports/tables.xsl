@@ -11,10 +11,10 @@
 <xsl:template name="result-cells">
   <xsl:choose>
     <xsl:when test="status = 'ok'">
-      <xsl:call-template name="steady-cell">
-        <xsl:with-param name="x" select="(mean_state/tip_deflection |
-          self::*[not(mean_state)]/tip_deflection)/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-      </xsl:call-template>
+      <td class="r">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/tip_deflection |
+          self::*[not(mean_state)]/tip_deflection)/value"/></xsl:call-template>
+      </td>
       <xsl:call-template name="steady-cell">
         <xsl:with-param name="x" select="100 * (mean_state/tip_deflection_share | self::*[not(mean_state)]/tip_deflection_share)/value"/>
       </xsl:call-template>

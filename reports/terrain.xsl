@@ -46,6 +46,7 @@
       </xsl:call-template>
     </p>
   </div>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.terrain</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure"><xsl:with-param name="name">terrain</xsl:with-param></xsl:call-template>
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">tr.ranges</xsl:with-param></xsl:call-template>

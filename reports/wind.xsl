@@ -244,6 +244,7 @@
 
 <xsl:template match="/report" mode="body">
   <xsl:call-template name="summary"/>
+  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.wind</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure"><xsl:with-param name="name">wind</xsl:with-param></xsl:call-template>
   <xsl:call-template name="statistics"/>
   <xsl:if test="$r/findings/item"><xsl:call-template name="asked"/></xsl:if>

@@ -10,6 +10,8 @@
   <xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template>
 </xsl:variable>
 <xsl:variable name="trees" select="/report/results/trees/item"/>
+<!-- other units than metric: numbers are marked, for out/page_units.h, which turns them with their units -->
+<xsl:variable name="units" select="/report/@units"/>
 <xsl:variable name="degrees" select="57.29577951308232"/>
 
 <!-- A sentence with up to eight things put in. -->
@@ -78,12 +80,14 @@
     <xsl:when test="string(number($x)) = 'NaN'">–</xsl:when>
     <xsl:otherwise>
       <xsl:variable name="text" select="format-number($x, $pattern)"/>
+      <xsl:if test="$units"><xsl:value-of select="concat('&#xE000;', $x, '&#xE001;')"/></xsl:if>
       <xsl:choose>
         <xsl:when test="starts-with($text, '-') and number(translate($text, ',', '')) = 0">
           <xsl:value-of select="substring($text, 2)"/>
         </xsl:when>
         <xsl:otherwise><xsl:value-of select="translate($text, '-', '−')"/></xsl:otherwise>
       </xsl:choose>
+      <xsl:if test="$units">&#xE002;</xsl:if>
     </xsl:otherwise>
   </xsl:choose>
 </xsl:template>
@@ -92,10 +96,18 @@
 <xsl:template name="number">
   <xsl:param name="x"/>
   <xsl:variable name="size" select="($x &lt; 0) * -$x + ($x &gt;= 0) * $x"/>
+  <xsl:variable name="ten" select="1 + 9 * ($size &gt;= 999.5) + 90 * ($size &gt;= 9995) + 900 * ($size &gt;= 99950) +
+    9000 * ($size &gt;= 999500)"/>
   <xsl:variable name="tiny" select="$x &gt; 0 and $x &lt; 0.00005"/>
   <xsl:if test="$tiny">&lt; </xsl:if>
   <xsl:call-template name="fixed">
-    <xsl:with-param name="x" select="$x + $tiny * (0.0001 - $x)"/>
+    <xsl:with-param name="x">
+      <xsl:choose>
+        <xsl:when test="$tiny">0.0001</xsl:when>
+        <xsl:when test="$ten &gt; 1"><xsl:value-of select="$ten * round($x div $ten)"/></xsl:when>
+        <xsl:otherwise><xsl:value-of select="$x"/></xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
     <xsl:with-param name="pattern">
       <xsl:choose>
         <xsl:when test="$size &gt;= 99.95 or $size = 0">#,##0</xsl:when>
@@ -121,7 +133,7 @@
   </xsl:choose>
 </xsl:template>
 
-<!-- A value as somebody gave it: no digits added. One with more than three decimals was converted: four digits. -->
+<!-- A value as somebody gave it: no digits added. One with more than three decimals was converted: three digits. -->
 <xsl:template name="given">
   <xsl:param name="x"/>
   <xsl:variable name="rest" select="1000 * $x - round(1000 * $x)"/>
@@ -130,13 +142,19 @@
     <xsl:with-param name="x" select="$x"/>
     <xsl:with-param name="pattern">
       <xsl:choose>
-        <xsl:when test="$converted and $x &gt;= 100">0.#</xsl:when>
-        <xsl:when test="$converted and $x &gt;= 10">0.##</xsl:when>
-        <xsl:when test="$converted">0.###</xsl:when>
+        <xsl:when test="$converted and $x &gt;= 100">0</xsl:when>
+        <xsl:when test="$converted and $x &gt;= 10">0.#</xsl:when>
+        <xsl:when test="$converted">0.##</xsl:when>
         <xsl:otherwise>#,##0.#####</xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
   </xsl:call-template>
+</xsl:template>
+
+<!-- A text that stays as somebody typed it, whatever the units of the page. -->
+<xsl:template name="as-typed">
+  <xsl:param name="text"/>
+  <xsl:if test="$units">&#xE003;</xsl:if><xsl:value-of select="$text"/><xsl:if test="$units">&#xE004;</xsl:if>
 </xsl:template>
 
 <!-- The 3-s gust of a named mean wind, where it is measured. -->
@@ -178,6 +196,14 @@
   <xsl:for-each select="$items">
     <xsl:choose>
       <xsl:when test="position() = 1"/>
+      <xsl:when test="$units and position() = last()">
+        <xsl:text>&#xE005;</xsl:text>
+        <xsl:call-template name="say"><xsl:with-param name="id">list.last</xsl:with-param></xsl:call-template>
+      </xsl:when>
+      <xsl:when test="$units">
+        <xsl:text>&#xE005;</xsl:text>
+        <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template>
+      </xsl:when>
       <xsl:when test="position() = last()">
         <xsl:call-template name="say"><xsl:with-param name="id">list.last</xsl:with-param></xsl:call-template>
       </xsl:when>

@@ -6,6 +6,7 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/limits.h"
+#include "study/verdict.h"
 #include <string.h>
 
 /* A uniform solid stem, 10 m high and 0.2 m thick, without a crown; everything has a source. */
@@ -273,6 +274,29 @@ static void test_still_air(void **state)
     wf_arena_free(&b.arena);
 }
 
+/* From 12 in on, of the wood where it breaks, the size of a stem is said to be left out. */
+static void test_size(void **state)
+{
+    (void)state;
+    static const struct {
+        double radius, bark;
+        bool said;
+    } stem[] = { { 0.152, 0, false }, { 0.153, 0, true }, { 0.162, 0.01, false }, { 0.163, 0.01, true } };
+    for (size_t k = 0; k < WF_COUNT(stem); k++) {
+        struct bench b;
+        set_up(&b);
+        b.model.radius = stem[k].radius;
+        b.model.bark.thickness = stem[k].bark;
+        b.model.bark.kind = stem[k].bark > 0 ? WF_BARK_MEASURED : WF_BARK_NONE;
+        assert_int_equal(run(&b, "beam", (const double[]){ 5 }, 1), WF_OK);
+        const char *text = warning(&b, "size-effect");
+        assert_int_equal(text != NULL, stem[k].said);
+        if (text) assert_non_null(strstr(text, "18 to 26 % lower")); /* 1 - (50 or 20 mm / 0.306 m)^(1/9) */
+        assert_close(wf_verdict_size(&b.out), stem[k].said ? 2 * (stem[k].radius - stem[k].bark) : 0, 1e-9);
+        wf_arena_free(&b.arena);
+    }
+}
+
 static void test_limits(void **state)
 {
     (void)state;
@@ -511,6 +535,7 @@ int main(void)
         cmocka_unit_test(test_refused),      cmocka_unit_test(test_memory),
         cmocka_unit_test(test_search),       cmocka_unit_test(test_searched_further),
         cmocka_unit_test(test_search_ended), cmocka_unit_test(test_through_ground),
+        cmocka_unit_test(test_size),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -114,6 +114,25 @@ static void not_by_size(void **state)
     beam_free(&c);
 }
 
+/* Roots lost in a sector: integrals of (1 + cos) / 2 pi over it, by hand; never less than its share of the
+ * circumference; all around the share itself, and with all roots an anchorage that is still known. */
+static void lost_by_sector(void **state)
+{
+    (void)state;
+    struct wf_anchorage_request q = nothing;
+    assert_close(wf_anchorage_left(&q, 1), 1, 0);
+    q.lost = 0.4, q.lost_half = PI;
+    for (int k = 0; k < 8; k++) assert_close(wf_anchorage_left(&q, k), 0.6, 1e-14);
+    q.lost = 1, q.lost_half = PI / 2, q.lost_middle = 0.3;
+    assert_close(wf_anchorage_left(&q, 0.3 + PI), 0.5 - 1 / PI, 1e-14); /* all to windward */
+    assert_close(wf_anchorage_left(&q, 0.3), 0.5, 1e-14);               /* all to leeward */
+    assert_close(wf_anchorage_left(&q, 0.3 + PI / 2), 0.5, 1e-14);
+    q.lost = 0.5, q.lost_half = PI / 6;
+    assert_close(wf_anchorage_left(&q, 0.3 + PI), 1 - 0.5 * (1.0 / 6 + 0.5 / PI), 1e-14);
+    q.lost = 1, q.lost_half = PI;
+    assert_close(wf_anchorage_left(&q, 0), 1e-3, 1e-14);
+}
+
 /* Wood of British Columbia by mass: a cone cut off, whose volume is known. */
 static void by_mass(void **state)
 {
@@ -508,7 +527,7 @@ static void room_is_used_up(void **state)
     for (int run = 0; run < 3; run++) {
         an.scenario.corridor = 3, an.scenario.corridor_towards = run == 2 ? PI : NAN;
         an.scenario.tip_angle = 0.5;
-        wf_analysis_room(&an);
+        wf_analysis_turned(&an);
         an.solver = run == 1 ? wf_solver_named("rod") : &wf_solver_beam;
         struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
         if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
@@ -556,6 +575,7 @@ int main(void)
         cmocka_unit_test(rows_are_complete),
         cmocka_unit_test(what_is_said_decides),
         cmocka_unit_test(by_size),
+        cmocka_unit_test(lost_by_sector),
         cmocka_unit_test(not_by_size),
         cmocka_unit_test(by_mass),
         cmocka_unit_test(given_twice),

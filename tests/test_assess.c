@@ -134,9 +134,9 @@ static void cavity(void **state)
     assert_close(t.x.sound, strength / stress, 5e-3);
     assert_close(t.x.breakage.safety, strength / base * (1 - pow(1 - 0.06 / 0.3, 4)), 5e-3);
     assert_close(t.x.breakage.height, 0, 1e-9);
-    assert_true(wf_assess_is_round(&t.model));
+    assert_true(wf_assess_is_round(&t.model, &t.scenario));
     hole.offset = 0.02;
-    assert_false(wf_assess_is_round(&t.model));
+    assert_false(wf_assess_is_round(&t.model, &t.scenario));
     end(&t);
 }
 

@@ -93,8 +93,8 @@ static void cards(void **state)
             "soil 0.42–0.55 1.5 " } },
         { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
           CODE_OK,
-          { "Tree is lost at 23.0 m/", "15 to 41 m/", "once in 11.6 years",
-            "Not assessed Limbs, forks and unions" } },
+          { "Tree is lost at 23 m/", "15 to 41 m/", "once in 12 years",
+            "it breaks may be too high. Limbs, forks and unions" } },
     };
     CHECK(rows);
 }
@@ -110,6 +110,33 @@ static void scenarios(void **state)
           { "reduce 20% + thin 10%     42 %!", "root_loss=50%        -       2.14         0.42",
             "cavity=1.3m:80mm+cavity_growth=2cm",
             "least reduction of the crown for a safety of 1.5: 22 %" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --scenarios "
+          "root_loss=0:180,root_loss=0deg:180deg:50%,root_loss=350:10 2>&1 | grep -c error:; $W assess "
+          "models/cards/oak.yaml --samples 0 --root-loss 0:180 | grep -A5 'root-loss 0:180: safety'",
+          CODE_OK,
+          { "0\n", "  270 deg   2.14   0.42", "   90 deg   2.14   0.15", "180 deg   2.14   0.42" } },
+        /* one guy leaves the weakest direction as it was; three help in all */
+        { "$W assess models/cards/oak.yaml --samples 0 --scenarios 'guy=9m:8m:225deg:400kN/m,guy=9m:8m:0deg:"
+          "400kN/m;9m:8m:120deg:400kN/m;9m:8m:240deg:400kN/m'",
+          CODE_OK,
+          { "guy=9m:8m:225deg:400kN/m        -       2.14         0.84         22.9  lost",
+            "2.35         1.08         26.2  insufficient" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --azimuth 0 --guy 9m:8m:270deg:400kN/m:2kN -o $T/out "
+          "--no-pdf; grep -c '\"pull\"' $T/out/results.json",
+          CODE_OK,
+          { "guy at 9 m to an anchor 8 m away towards 270 deg: ", "kN in the critical wind",
+            "the strength of guys, anchors and fittings is not assessed", "\n1\n" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --guy 25m:8m:270deg:400kN/m",
+          CODE_INPUT,
+          { "--guy: the stem does not reach 25 m" } },
+        { "$W analyze oak --model models/oak_20m.yaml --wind 20 --solver chain --guy 9m:8m:1deg:1kN/m -o "
+          "$T/x",
+          CODE_INPUT,
+          { "--guy", "with the solver 'chain'" } },
+        { "$W assess models/cards/oak.yaml --root-loss 100%; $W assess models/cards/oak.yaml --root-loss "
+          "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4",
+          CODE_INPUT,
+          { "'100%' is no loss of roots", "'10deg:20m' is no loss", "'1:2:3:4' is no loss" } },
         { "(cat models/cards/oak.yaml; echo 'scenarios: [reduce=1m, season=leaf_off]') >$T/c.yaml; $W assess "
           "$T/c.yaml --samples 0 -o $T/out --lang zh --no-pdf | grep -c 'reduce=1m'; grep -c '最小树冠缩剪' "
           "$T/out/report.html; grep -c '\"name\": \"season=leaf_off\"' $T/out/results.json",
@@ -185,6 +212,11 @@ static void refused(void **state)
         { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --wind 20",
           CODE_INPUT,
           { "--crown-width: is needed, or --frontal-area or --photo-outline" } },
+        { "A='assess models/cards/oak.yaml --leaf-off-share 0.9 --samples 0'; $W $A; for x in --leaf-off "
+          "'--scenarios season=leaf_off' '--season leaf_off'; do $W $A $x 2>&1; done | grep -c 'has no "
+          "effect'; true",
+          CODE_OK,
+          { "leaf_off_share has no effect on a tree in leaf", "0\n" } },
         { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --crown-depth 10 --crown-width 9 "
           "--wind "
           "20",

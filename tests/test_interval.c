@@ -397,6 +397,58 @@ static void digits(void **state)
     assert_int_equal(wf_interval_decimals(30, INFINITY), 0);
 }
 
+/* The range of one value alone: digits that tell its ends apart, a tree that would not stand, ends of
+ * searches.
+ */
+static void ranges_in_words(void **state)
+{
+    (void)state;
+    static const struct {
+        struct wf_interval_arm arm;
+        const char *text; /* NULL: nothing is told */
+    } said[] = {
+        { { 14.2, 9.4 }, "9 to 14" },
+        { { 9.1, 9.4 }, "9.1 to 9.4" },
+        { { 9.444, 9.436 }, NULL },
+        { { 9.446, 9.434 }, "9.43 to 9.45" },
+        { { 9.4361, 9.4362 }, NULL },
+        { { NAN, 9.2 }, "not standing to 9" },
+        { { 9.2, NAN }, "not standing to 9" },
+        { { INFINITY, 14.2 }, "14 to above 60" },
+        { { INFINITY, INFINITY }, NULL },
+        { { NAN, INFINITY }, "not standing to above 60" },
+        { { NAN, NAN }, NULL },
+    };
+    for (size_t k = 0; k < WF_COUNT(said); k++) {
+        struct wf_interval_arm arm = said[k].arm;
+        const struct wf_interval i = { .searched_to = 60, .arm = &arm };
+        char text[80];
+        bool told = wf_interval_arm_text(&i, 0, text, sizeof text);
+        assert_int_equal(told, said[k].text != NULL);
+        if (told) assert_string_equal(text, said[k].text);
+    }
+}
+
+/* Where a measured tree would not stand at one end of a value, that value decides, whatever the other end. */
+static void falls_at_one_end(void **state)
+{
+    (void)state;
+    struct post p;
+    struct wf_varied v;
+    set_up(&p, 10, 0.1);
+    p.level.youngs_modulus.standing = WF_BORROWED;
+    assert_int_equal(run(&p, 20, 1, 1), WF_OK);
+    size_t k = (size_t)(arm_of(&p, "youngs_modulus", &v) - p.interval.arm);
+    wf_interval_warn(&p.an, &p.interval, &p.diag);
+    for (const struct wf_finding *f = p.diag.first; f; f = f->next)
+        assert_null(strstr(f->text, "youngs_modulus (borrowed)"));
+    p.interval.arm[k].at_low = NAN;
+    wf_interval_warn(&p.an, &p.interval, &p.diag);
+    assert_non_null(p.diag.last);
+    assert_non_null(strstr(p.diag.last->text, "youngs_modulus (borrowed): not standing to 72 m/s"));
+    wf_arena_free(&p.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -412,6 +464,8 @@ int main(void)
         cmocka_unit_test(a_tree_of_other_sizes),
         cmocka_unit_test(refuses),
         cmocka_unit_test(digits),
+        cmocka_unit_test(ranges_in_words),
+        cmocka_unit_test(falls_at_one_end),
     };
     return cmocka_run_group_tests_name("interval", tests, NULL, NULL);
 }

@@ -355,6 +355,57 @@ static void values_of_species(void **state)
     wf_arena_free(&m.arena);
 }
 
+/* Half way between the nodes the flattening is that of a beam on an elastic foundation, by its Fourier
+ * series: (4 / pi) sum of sin(n pi / 2) / (n (1 + (n pi / L)^4 / (4 b^4))) over odd n. */
+static double flattened(double spacing, double decay)
+{
+    double sum = 0;
+    for (int n = 1; n < 4001; n += 2)
+        sum += (n % 4 == 1 ? 1 : -1) / (n * (1 + pow(n * PI / spacing, 4) / (4 * pow(decay, 4))));
+    return 4 / PI * sum;
+}
+
+static void diaphragms(void **state)
+{
+    (void)state;
+    const double wall = 0.2 * R, middle = R - wall / 2;
+    /* of wood this stiff along the rings the theory's reach is less than three diameters ... */
+    const double stiff = 2 * E_L, decay = pow(3 * stiff * wall * wall / (E_L * pow(middle, 6)), 0.25);
+    assert_true(decay > PI / (6 * R));
+    for (double apart = 0.5; apart < PI / (2 * decay * R); apart += 0.25)
+        assert_close(wf_wall_held(2 * R * apart, E_L, stiff, R, wall),
+                     1 / sqrt(flattened(2 * R * apart, decay)), 1e-6);
+    /* ... of others that of three diameters counts, also where nothing is known */
+    for (double apart = 0.5; apart < 3; apart += 0.25) {
+        double held = wf_wall_held(2 * R * apart, E_L, E_T / 4, R, wall);
+        assert_close(held, 1 / sqrt(flattened(2 * R * apart, PI / (6 * R))), 1e-6);
+        assert_close(held, wf_wall_held(2 * R * apart, E_L, 0, R, wall), 0);
+    }
+    assert_close(wf_wall_held(2 * R * 3, E_L, E_T / 4, R, wall), 1, 0);
+    assert_close(wf_wall_held(2 * R * 30, E_L, E_T / 4, R, wall), 1, 0);
+}
+
+/* Both limits of the wall of a culm grow by the same factor, bending does not; off, all is as without them.
+ */
+static void diaphragms_of_a_stem(void **state)
+{
+    (void)state;
+    struct fixture f;
+    const double spacing = 3 * R, inner = 0.8;
+    double without[WF_CRITERIA];
+    cantilever(&f, 1, 1, inner, (struct wf_point_load){ .force = { 40, 0, 0 } }, 1);
+    check(&f);
+    for (int c = 0; c < WF_CRITERIA; c++) without[c] = safety(&f, (enum wf_criterion_id)c);
+    f.t.node_spacing = spacing;
+    check(&f);
+    double held = wf_wall_held(spacing, E_L, E_T, R, (1 - inner) * R);
+    assert_true(held > 1.5);
+    assert_close(safety(&f, WF_SPLITTING), held * without[WF_SPLITTING], 1e-12);
+    assert_close(safety(&f, WF_OVALISATION), held * without[WF_OVALISATION], 1e-12);
+    assert_close(safety(&f, WF_BREAKAGE), without[WF_BREAKAGE], 0);
+    wf_arena_free(&f.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -368,6 +419,8 @@ int main(void)
         cmocka_unit_test(torsion_comes_before_bending),
         cmocka_unit_test(what_branches_bear),
         cmocka_unit_test(values_of_species),
+        cmocka_unit_test(diaphragms),
+        cmocka_unit_test(diaphragms_of_a_stem),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

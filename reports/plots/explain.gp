@@ -19,7 +19,7 @@ set logscale y
 set yrange [LOW:HIGH]; set xrange [-0.5:EXPLAIN_LEVELS - 0.5]
 set xtics 1; set xlabel L('EXPLAIN_LEVEL'); set ylabel L('EXPLAIN_RATIO') offset 1.5,0
 set arrow 1 from -0.5,1 to EXPLAIN_LEVELS - 0.5,1 nohead lc rgb '#404040' lw 1
-set format y "%g"
+set format y "%g"; set ytics add ("0.00001" 1e-5, "0.000001" 1e-6, "0.0000001" 1e-7)
 LIST = ''
 do for [m=1:METHODS] { a = number(sprintf('ANSWERS_%d', SHOWN), m); if (a == a) { LIST = LIST.sprintf('%d ', a) } }
 M(k) = nth(LIST, k)

@@ -13,7 +13,7 @@ set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen 52.0/HEIGHT
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 626.0/WIDTH
 set xlabel sprintf(L('WIND'), sprintf("%g", number('REFERENCE', 0))); set ylabel L('SHARE_LOST') offset 1,0
 set xrange [0:END]; set yrange [0:100]
-set key bottom right Left reverse
+set key top left Left reverse opaque
 if (LOW == LOW) { set arrow from LOW,0 to LOW,100 nohead lw 1 lc rgb '#404040' dt (2,3) back }
 if (HIGH == HIGH) { set arrow from HIGH,0 to HIGH,100 nohead lw 1 lc rgb '#404040' dt (2,3) back }
 plot CURVE using (column("wind_m_s")):(100*column("share_low")):(100*column("share_high")) with filledcurves lc rgb '#c7dcec' title L('SHARE_BAND'), \

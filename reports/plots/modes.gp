@@ -10,7 +10,7 @@ load HERE.'style.gp'
 MODES = int(number(sprintf('MODES_%d', SHOWN), 0)); TALL = number('HEIGHT', 0)
 SHAPES = DIR.'/tables/mode_shapes.csv'
 mine(k) = column("run") == SHOWN && column("mode") == k
-side(k) = number(sprintf('ACROSS_%d', SHOWN), k) > 0
+side(k) = (MODE_D = k > 0 ? text_of(sprintf('DIRECTION_%d', SHOWN), k) : '', MODE_D eq 'across' || (MODE_D ne 'along' && number(sprintf('ACROSS_%d', SHOWN), k) > 0))
 x(k, end) = side(k) ? column(sprintf('across%d_m', end)) : column(sprintf('along%d_m', end))
 z(end) = column(sprintf('z%d_m', end))
 GROW = 0.1*TALL

@@ -17,7 +17,7 @@ set yrange [0:10]; set ylabel L('RAIN_SPEED') offset 1,0; set key bottom right
 plot for [k=1:5] FALLS using (column("diameter_mm")):(column(LAW[k].'_m_s')) with lines lt k lw 1.2 title LAW[k]
 set lmargin at screen 440.0/WIDTH; set rmargin at screen 622.0/WIDTH
 set logscale y; set yrange [0.01:20000]; set format y "%g"
-set ylabel L('RAIN_NUMBER') offset 1,0 font ',9'; unset key
+set ylabel L('RAIN_NUMBER') offset 1,0 font ',9.5'; unset key
 plot FALLS using (column("diameter_mm")):(column("number_m3_mm")) with lines lt 1
 unset multiplot
 set output

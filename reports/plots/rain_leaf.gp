@@ -14,7 +14,7 @@ load HERE.'start.gp'
 set multiplot
 unset key; unset grid; set border 3 lw 0.5
 set xrange [-0.02*LENGTH:1.02*LENGTH]; set yrange [-1.05*HALF:1.05*HALF]
-set xtics 20 font ',9'; set ytics 20 font ',9'; set format x "%g"
+set xtics 20 font ',9.5'; set ytics 20 font ',9.5'; set format x "%g"
 # from dry to wet; transparent beside the blade
 array DRY[3] = [233, 242, 223]; array WET[3] = [63, 125, 79]
 beside(text) = strlen(text) == 0
@@ -28,8 +28,8 @@ do for [k=1:KEYS] {
     x0 = 48.0 + i*(PANEL + 12.0); y0 = 22.0 + j*(TALL + 46.0)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + PANEL)/WIDTH
     set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + TALL)/HEIGHT
-    set title sprintf(L('RAIN_LEAF_AT'), event(k), number(sprintf('TIME_%d', RUN), k), int(number(sprintf('LEAF_%d', RUN), k))) offset 0,-0.7 font ',8.5'
-    if (i == 0) { set format y "%g"; set ylabel L('RAIN_ACROSS') offset 1.5,0 font ',9' } else { set format y ""; set ylabel "" }
+    set title sprintf(L('RAIN_LEAF_AT'), event(k), number(sprintf('TIME_%d', RUN), k), int(number(sprintf('LEAF_%d', RUN), k))) offset 0,-0.7 font ',9.5'
+    if (i == 0) { set format y "%g"; set ylabel L('RAIN_ACROSS') offset 1.5,0 font ',9.5' } else { set format y ""; set ylabel "" }
     if (j == DOWN - 1) { set xlabel L('RAIN_ALONG') offset 0,0.6 } else { set xlabel "" }
     plot map(k) using 1:2:(mix(1)):(mix(2)):(mix(3)):(beside(strcol(3)) ? 0 : 255) with rgbalpha, \
          for [s=1:3] DROPS using (pick(here(k) && is(STATE[s]), column("along_mm"))):(column("across_mm")):(column("base_mm")) with circles fs transparent solid 0.35 border lc rgb COLOUR[s]

@@ -18,8 +18,8 @@ plot PRISMS using (column("prisms")):(abs(column("tip_error"))) with linespoints
      '' using (column("prisms")):(abs(column("frequency_error"))) with linespoints lt 2 title L('RAIN_F1'), \
      0.4/x**2 with lines lc rgb '#909090' lw 1 dt (3,3) title L('RAIN_ORDER')
 set lmargin at screen 470.0/WIDTH; set rmargin at screen 622.0/WIDTH
-unset logscale y; set yrange [0:1.1]; set format y "%g"
-set ylabel L('RAIN_OVER_THEORY') offset 1,0; set key bottom left font ',9' samplen 2
+unset logscale y; set yrange [-0.35:1.1]; set ytics 0,0.2; set format y "%g"
+set ylabel L('RAIN_OVER_THEORY') offset 1,0; set key bottom left font ',9.5' samplen 2
 plot PRISMS using (column("prisms")):(1 + column("tip_error")) with linespoints lt 1 title L('RAIN_FREE'), \
      '' using (column("prisms")):(column("tip_with_restoring")) with linespoints lt 4 title L('RAIN_HELD_BACK')
 unset multiplot

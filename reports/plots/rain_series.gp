@@ -18,7 +18,7 @@ do for [p=1:5] {
     y0 = 14.0 + (p - 1)*STEP
     set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + TALL)/HEIGHT
     if (p == 5) { set format x "%g"; set xlabel L('TIME') offset 0,0.4 }
-    set ylabel L(sprintf('RAIN_Y%d', p)) offset (p == 4 ? 0 : 1),0 font ',10'; set ytics font ',9'
+    set ylabel L(sprintf('RAIN_Y%d', p)) offset (p == 4 ? 0 : 1),0 font ',10'; set ytics font ',9.5'
     if (p == 1) { plot SERIES using (column("time_s")):(of_run(column("held_mg"))) with lines lt 1 title L('RAIN_HELD'), '' using (column("time_s")):(of_run(column("film_mg"))) with lines lt 3 title L('RAIN_FILM'), '' using (column("time_s")):(of_run(column("fell_mg"))) with lines lt 2 title L('RAIN_FELL') }
     if (p == 2) { plot SERIES using (column("time_s")):(of_run(column("rest"))) with lines lt 1 title L('RAIN_rest'), '' using (column("time_s")):(of_run(column("run_drops"))) with lines lt 2 title L('RAIN_run'), '' using (column("time_s")):(of_run(column("hang"))) with lines lt 4 title L('RAIN_hang') }
     if (p == 3) { plot SERIES using (column("time_s")):(of_run(column("petiole_moment_mNm"))) with lines lt 1 title L('RAIN_PETIOLE'), '' using (column("time_s")):(of_run(column("branch_moment_mNm"))) with lines lt 2 title L('RAIN_BRANCH') }

@@ -8,7 +8,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
 KEY = 12.0 + 18*KEY_ROWS
-WIDTH = 640.0; HEIGHT = 326.0 + KEY
+WIDTH = 640.0; ABOVE = 32.0; HEIGHT = 344.0 + KEY
 load HERE.'start.gp'
 safety_of(n) = LOSS_KNOWN[nth(STRONG, n)] ? "tree_safety" : "least_safety"
 set multiplot
@@ -23,35 +23,32 @@ do for [n=1:words(STRONG)] {
     from = S_min > 0 && S_min < from ? S_min : from
 }
 from = from < 0.1 ? 0.1 : from
-set xrange [0:SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
-set ytics add ("0.5" 0.5, "1" 1, "2" 2, "5" 5, "20" 20, "50" 50)
+set xrange [0:PER[SPEED]*SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
+set ytics add ("0.1" 0.1, "0.2" 0.2, "0.5" 0.5, "1" 1, "2" 2, "5" 5, "20" 20, "50" 50)
 set format y '%g'
-set xlabel sprintf(L('WIND'), sprintf('%g', number('REFERENCE', 0))); set ylabel L('SAFETY') offset 1,0
+set xlabel sprintf(in_units(L('WIND')), said(LENGTH, number('REFERENCE', 0))); set ylabel L('SAFETY') offset 1,0
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
-set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
-set style textbox opaque fillcolor rgb '#ffffff' noborder margins 0.3,0.1
-set label L('BREAKS') at graph 0.01, first 1 left offset 0,-0.8 front boxed textcolor rgb '#505050'
-# Critical speeds: a drop line with the figure at its foot, where curves seldom pass; close neighbours stand above
-# one another.
+set tmargin at screen 1 - ABOVE/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
+# Critical speeds: a line up to the figure, which stands above the plot, where no curve passes; close neighbours stand above one
+# another.
 do for [n=1:words(STRONG)] {
     i = nth(STRONG, n); u = CRITICAL[i]
     if (u == u && u <= SPEED_MAX) {
         near = 0
         do for [m=1:n-1] { near = near + (abs(CRITICAL[nth(STRONG, m)] - u) < 0.1*SPEED_MAX ? 1 : 0) }
-        set arrow from u, from to u, 1 nohead lt i lw 1
-        set label '' at u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
+        set arrow from PER[SPEED]*u, 1 to PER[SPEED]*u, 1.1*most nohead lt i lw 1
+        set label '' at PER[SPEED]*u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
         name = speed(real(sprintf('%.1f', u)))
-        if (u < 0.9*SPEED_MAX) { set label name at u, from left offset 0.6,0.6 + 1.1*near textcolor rgb '#202020' }
-        else { set label name at u, from right offset -0.6,0.6 + 1.1*near textcolor rgb '#202020' }
+        set label name at PER[SPEED]*u, graph 1 center offset 0,0.6 + near%2 textcolor rgb '#202020'
     }
 }
 if (words(STRONG) == 0) {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040'   # no strength is known: the frame alone
 } else {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040', \
-         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)) && LOSS_KNOWN[nth(STRONG, n)], column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n) lw 0.8 dt 3, \
-         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), column("wind_m_s"))):(column(safety_of(n))) with lines lt nth(STRONG, n), \
-         for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), column("wind_m_s"))):(column(safety_of(n))) with points lt nth(STRONG, n) lw 1
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)) && LOSS_KNOWN[nth(STRONG, n)], PER[SPEED]*column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n) lw 0.8 dt 3, \
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), PER[SPEED]*column("wind_m_s"))):(column(safety_of(n))) with lines lt nth(STRONG, n), \
+         for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), PER[SPEED]*column("wind_m_s"))):(column(safety_of(n))) with points lt nth(STRONG, n) lw 1
 }
 load HERE.'strip.gp'
 set key maxcols KEY_COLUMNS

@@ -14,10 +14,10 @@ stats ROWTABLE using (column("along1_m")) nooutput
 LEFTMOST = STATS_min; RIGHT = RIGHT > STATS_max ? RIGHT : STATS_max
 SPREAD = RIGHT - LEFTMOST
 LEFTMOST = LEFTMOST - 0.04*SPREAD; RIGHT = RIGHT + 0.04*SPREAD
-WIDTH = 760.0
-PANEL = 320.0
-TREE = PANEL*TOPMOST*1.04/(RIGHT - LEFTMOST); TREE = TREE > 400 ? 400.0 : TREE < 120 ? 120.0 : TREE
-HEIGHT = TREE + 352.0
+WIDTH = 640.0
+PANEL = 262.0
+TREE = PANEL*TOPMOST*1.04/(RIGHT - LEFTMOST); TREE = TREE > 330 ? 330.0 : TREE < 120 ? 120.0 : TREE
+HEIGHT = TREE + 322.0
 load HERE.'start.gp'
 set multiplot
 unset key; unset grid
@@ -30,7 +30,7 @@ thick(r) = 0.3 + 14*r
 SCALE = TREE/(TOPMOST*1.04); HALF = 0.5*PANEL/SCALE; MIDDLE = 0.5*(LEFTMOST + RIGHT)
 set xrange [MIDDLE-HALF:MIDDLE+HALF]; set yrange [0:TOPMOST*1.04]
 do for [i=1:2] {
-    x0 = 50.0 + (i - 1)*(PANEL + 50.0)
+    x0 = 50.0 + (i - 1)*(PANEL + 48.0)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + PANEL)/WIDTH
     set tmargin at screen 1 - 30.0/HEIGHT; set bmargin at screen 1 - (30.0 + TREE)/HEIGHT
     set title TITLE[i] offset 0,-0.6
@@ -46,16 +46,16 @@ Y0 = TREE + 112.0
 array WHAT[2] = [L('WIND_ENDS'), L('SWING_ENDS')]
 array OPENC[2] = ["wind_open_ms", "swing_open_m"]; array OWNC[2] = ["wind_own_ms", "swing_own_m"]
 do for [i=1:2] {
-    x0 = 50.0 + (i - 1)*(PANEL + 50.0)
+    x0 = 50.0 + (i - 1)*(PANEL + 48.0)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + PANEL)/WIDTH
-    set tmargin at screen 1 - Y0/HEIGHT; set bmargin at screen 1 - (Y0 + 160.0)/HEIGHT
+    set tmargin at screen 1 - Y0/HEIGHT; set bmargin at screen 1 - (Y0 + 130.0)/HEIGHT
     set title WHAT[i] offset 0,-0.6
     plot TIPTABLE using (column("depth_share")):(column(OPENC[i])) with points pt 6 ps 0.5 lc rgb '#D55E00', \
          TIPTABLE using (column("depth_share")):(column(OWNC[i])) with points pt 7 ps 0.35 lc rgb '#0072B2'
 }
 KEY = 24.0
 load HERE.'strip.gp'
-unset title; set yrange [0:1]
+unset title; set yrange [0:1]; set key samplen 2 maxrows 1 width 0
 plot NaN with points pt 6 ps 0.7 lc rgb '#D55E00' title L('OPEN'), NaN with points pt 7 ps 0.6 lc rgb '#0072B2' title L('OWN'), NaN with lines dt 1 lc rgb '#c8c8c8' lw 1.5 title L('REST')
 unset multiplot
 set output

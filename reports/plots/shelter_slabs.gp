@@ -13,14 +13,16 @@ SLABTABLE = DIR.'/tables/slabs.csv'
 STEP = int(ceil(SLABS/32.0))
 SHOWN = int((SLABS - 1)/STEP) + 1
 # narrow maps stand sixteen in a row; the whole is no taller than a page
-COLUMNS = TALL > 1.1*WIDE ? 16 : 8
+COLUMNS = TALL > 1.1*WIDE ? 12 : 6
+COLUMNS = SHOWN < COLUMNS ? (SHOWN < 4 ? 4 : SHOWN) : COLUMNS
 ROWS = int((SHOWN - 1)/COLUMNS) + 1
-WIDTH = 820.0
+WIDTH = 640.0
 CELL = (WIDTH - 60.0)/COLUMNS
 MAPW = CELL - 6.0
 MOST = (1120.0 - 220 - 60)/(2*ROWS) - 16
-MOST = MOST > 220 ? 220.0 : MOST
+MOST = MOST > 150 ? 150.0 : MOST
 MAPH = MAPW*TALL/WIDE; MAPH = MAPH > MOST ? MOST : MAPH < 30 ? 30.0 : MAPH
+MAPW = MAPH*WIDE/TALL < MAPW ? MAPH*WIDE/TALL : MAPW; CELL = MAPW + 8.0
 BLOCK = ROWS*(MAPH + 16.0) + 30.0
 HEIGHT = 2*BLOCK + 220.0
 load HERE.'start.gp'
@@ -44,9 +46,9 @@ do for [part=1:2] {
         set lmargin at screen (12.0 + col*CELL)/WIDTH; set rmargin at screen (12.0 + col*CELL + MAPW)/WIDTH
         y = TOP + 12.0 + row*(MAPH + 16.0)
         set tmargin at screen 1 - y/HEIGHT; set bmargin at screen 1 - (y + MAPH)/HEIGHT
-        set label 2 sprintf("%d", slab) at graph 0.04, graph 0.93 left front textcolor rgb '#505050' font ",9"
+        set label 2 sprintf("%d", slab) at graph 0.04, graph 0.93 left front textcolor rgb '#505050' font ",9.5"
         unset colorbox
-        if (n == SHOWN - 1 && part == 1) { set colorbox vertical user origin (WIDTH - 46)/WIDTH, 1 - (TOP + 12 + MAPH)/HEIGHT size 9.0/WIDTH, MAPH/HEIGHT; set cbtics 0.5 scale 0.3 font ",9" textcolor rgb '#202020' }
+        if (n == SHOWN - 1 && part == 1) { set colorbox vertical user origin (24.0 + (col + 1)*CELL)/WIDTH, 1 - (TOP + 12 + MAPH)/HEIGHT size 9.0/WIDTH, MAPH/HEIGHT; set cbtics 0.5 scale 0.3 font ",9.5" textcolor rgb '#202020' }
         plot CELLTABLE index slab-1 every ::(slab == 1) using 2:3:(part == 1 ? $4 : $5) with image
         unset label 1
     }
@@ -57,10 +59,10 @@ set datafile columnheaders
 # key of the classes
 TOP = 2*BLOCK + 2.0
 set label 11 '■ '.L('CELL_CYLINDER') at screen 0.05, screen 1 - TOP/HEIGHT left textcolor rgb '#5f9fcf'
-set label 12 '■ '.L('CELL_HOLE') at screen 0.15, screen 1 - TOP/HEIGHT left textcolor rgb '#D55E00'
-set label 13 '■ '.L('CELL_SLIT') at screen 0.22, screen 1 - TOP/HEIGHT left textcolor rgb '#C08000'
-set label 14 '■ '.L('CELL_TRANSMITTING') at screen 0.28, screen 1 - TOP/HEIGHT left textcolor rgb '#202020'
-set label 15 L('CELL_NONE') at screen 0.41, screen 1 - TOP/HEIGHT left textcolor rgb '#707070'
+set label 12 '■ '.L('CELL_HOLE') at screen 0.18, screen 1 - TOP/HEIGHT left textcolor rgb '#D55E00'
+set label 13 '■ '.L('CELL_SLIT') at screen 0.28, screen 1 - TOP/HEIGHT left textcolor rgb '#C08000'
+set label 14 '■ '.L('CELL_TRANSMITTING') at screen 0.37, screen 1 - TOP/HEIGHT left textcolor rgb '#202020'
+set label 15 L('CELL_NONE') at screen 0.54, screen 1 - TOP/HEIGHT left textcolor rgb '#707070'
 set lmargin at screen 72.0/WIDTH; set rmargin at screen 0.96
 set tmargin at screen 1 - (TOP + 28)/HEIGHT; set bmargin at screen 52.0/HEIGHT
 set border 3 lw 0.8 lc rgb '#404040'; set tics nomirror out scale 0.6; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1

@@ -12,7 +12,7 @@ UPRIGHT = DIR.'/tables/cut_upright.csv'
 WIDTH = 640.0
 LONG = 500.0
 FROM = FRONT - 0.15*DEPTH; LENGTH = 2.1*DEPTH
-fit(h) = h > 420 ? 420.0 : h < 70 ? 70.0 : h
+fit(h) = h > 300 ? 300.0 : h < 70 ? 70.0 : h
 H1 = fit(LONG*WIDE/LENGTH); H2 = fit(LONG*TALL/LENGTH)
 HEIGHT = H1 + H2 + 150.0
 stats LEVEL using (column("ratio")) nooutput

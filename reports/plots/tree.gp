@@ -22,10 +22,10 @@ tall = Z_HIGH - floor
 margin = 0.03*tall
 wide(low, high) = high - low > 0.12*tall ? high - low : 0.12*tall
 fw = wide(X_LOW, X_HIGH) + 2*margin; sw = wide(Y_LOW, Y_HIGH) + 2*margin
-WIDTH = 640.0; LEFT = 52.0; GAP = 26.0; TABLE = 252.0; TITLE = 26.0; UNDER = 52.0; LINE = 14.5
+WIDTH = 640.0; LEFT = 52.0; GAP = 26.0; TABLE = 252.0; TITLE = 26.0; UNDER = 52.0; LINE = 15.5
 room = WIDTH - LEFT - GAP - TABLE
 scale = room/(fw + sw)
-scale = scale*(tall + margin) > 430 ? 430/(tall + margin) : scale
+scale = scale*(tall + margin) > 330 ? 330/(tall + margin) : scale
 h = scale*(tall + margin)
 least = LINE*(P_ROWS + LEVELS + 3)
 h = h < 160 ? 160 : h
@@ -62,21 +62,21 @@ do for [k=1:P_ROWS] {
     y = top - LINE*(k - 0.5)
     name = L(text_of('P_NAME', k)); said = text_of('P_WORD', k)
     said = strlen(said) ? L(said) : short(text_of('P_VALUE', k), 180)
-    set label k name at left, y font ',9' textcolor rgb '#606060'
-    set label 100 + k said at left + 94, y font ',9'
+    set label k name at left, y font ',10' textcolor rgb '#606060'
+    set label 100 + k said at left + 94, y font ',10'
 }
 y = top - LINE*(P_ROWS + 1)
-set label 200 L('TREE_LEVEL') at left, y font ',9' textcolor rgb '#606060'
-set label 201 L('TREE_AXES') at left + 116, y right font ',9' textcolor rgb '#606060'
-set label 202 L('TREE_LENGTH') at left + 186, y right font ',9' textcolor rgb '#606060'
-set label 203 L('TREE_DIAMETER') at left + 236, y right font ',9' textcolor rgb '#606060'
+set label 200 L('TREE_LEVEL') at left, y font ',10' textcolor rgb '#606060'
+set label 201 L('TREE_AXES') at left + 116, y right font ',10' textcolor rgb '#606060'
+set label 202 L('TREE_LENGTH') at left + 186, y right font ',10' textcolor rgb '#606060'
+set label 203 L('TREE_DIAMETER') at left + 236, y right font ',10' textcolor rgb '#606060'
 do for [l=1:LEVELS] {
     y = top - LINE*(P_ROWS + 1 + l)
     name = short(L(text_of('LEVEL', l)), 130); axes = text_of('L_COUNT', l); long = text_of('L_LENGTH', l); wide = text_of('L_DIAMETER', l)
-    set label 300 + l name at left, y font ',7.5' textcolor rgb colour(l)
-    set label 400 + l axes at left + 116, y right font ',7.5'
-    set label 500 + l long at left + 186, y right font ',7.5'
-    set label 600 + l wide at left + 236, y right font ',7.5'
+    set label 300 + l name at left, y font ',9.5' textcolor rgb colour(l)
+    set label 400 + l axes at left + 116, y right font ',9.5'
+    set label 500 + l long at left + 186, y right font ',9.5'
+    set label 600 + l wide at left + 236, y right font ',9.5'
 }
 plot -1
 unset multiplot

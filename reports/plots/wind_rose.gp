@@ -26,18 +26,21 @@ do for [i=1:SECTORS] {
         }
     }
 }
+# figures of the rings, within the second sector, so that no edge of a sector crosses them
+stats ROSE every ::1::1 using 1 nooutput
+AT = (90 - STATS_max)*pi/180
 do for [j=1:RINGS] {
-    set label sprintf("%g%%", 100*j*RING) at first 0.383*j*RING, 0.924*j*RING front textcolor rgb '#606060'
+    set label sprintf("%g%%", 100*j*RING) at first (j*RING - 0.04*MOST)*cos(AT), (j*RING - 0.04*MOST)*sin(AT) center front font ',14' textcolor rgb '#202020'
 }
 E = 1.08*MOST
-set label L('NORTH') at first 0, E center; set label L('SOUTH') at first 0, -E center
-set label L('EAST') at first E, 0 center; set label L('WEST') at first -E, 0 center
+set label L('NORTH') at first 0, E center font ',14'; set label L('SOUTH') at first 0, -E center font ',14'
+set label L('EAST') at first E, 0 center font ',14'; set label L('WEST') at first -E, 0 center font ',14'
 load HERE.'start.gp'
 set size ratio -1
 unset border; unset tics; unset grid
 set xrange [-1.14*MOST:1.14*MOST]; set yrange [-1.14*MOST:1.14*MOST]
 set lmargin at screen 0.02; set rmargin at screen 0.78; set tmargin at screen 0.98; set bmargin at screen 0.02
-set key at screen 0.985, screen 0.9 right top Left reverse
+set key at screen 0.985, screen 0.9 right top Left reverse font ',14'
 set parametric; set trange [0:2*pi]; set samples 181
 plot for [j=1:RINGS] j*RING*cos(t), j*RING*sin(t) with lines lw 0.8 lc rgb '#c8c8c8' dt 1, \
      for [k=1:5] keyentry with boxes fs solid 1 border lc rgb '#3c5a78' dt 1 lw 0.6 fc rgb COLOUR[k] title above(k)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/analyze_request.h"
 #include "base/num.h"
+#include "study/guy.h"
 #include "wind/climate.h"
 #include "wind/design.h"
 #include "wind/terrain.h"
@@ -21,6 +22,13 @@ static bool solver_unused(const void *options, const struct wf_option *row, char
     const struct wf_preset *p = wf_preset_named(o->preset);
     (void)row;
     return wf_option_unused(p && p->solver, why, "with the preset '%s', which has its own", o->preset);
+}
+
+static bool guy_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(!s->ties, why, "with the solver '%s'", s->name);
 }
 
 static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
@@ -122,12 +130,21 @@ const struct wf_option wf_analyze_options[] = {
     WF_PEAK_ROWS(peak),
     WF_BRANCH_STRENGTH_ROW(branch_strength),
     WF_ANCHORAGE_ROWS(anchorage),
+    TEXTS(
+        "--guy", guys, "HEIGHT:DISTANCE:TOWARDS:STIFFNESS[:PRETENSION]",
+        "a cable from the stem to an anchor in the ground, TOWARDS clockwise from north, a spring that only "
+        "pulls: 9m:8m:225deg:400kN/m:2kN; its force is printed, its strength and the anchor's are not "
+        "assessed",
+        .unused = guy_unused),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     FLAG("--unions", unions,
          "also list the unions of branches from that thickness and forks by aspect ratio, the branch's "
          "diameter "
          "over that of the parent; their strength is not assessed"),
+    NUMBER("--node-spacing", node_spacing, "DISTANCE", LENGTH, "cm", 1, 500, NULL,
+           "longest distance between the nodes of a culm of bamboo: its diaphragms then hold the wall round, "
+           "by judgement [they are left out, on the safe side]"),
     NUMBER("--corridor", corridor, "DISTANCE", LENGTH, "m", 0.01, 200, NULL,
            "distance of a corridor, as of a power line, from the base of the stem: also the wind in which a "
            "part of the tree reaches it"),
@@ -263,11 +280,13 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
     if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
+    if (o->guys && (status = wf_guys_read(o->guys, o->north, a, &s->guy, &s->guys, e))) return status;
     s->winds_said = o->args.winds_said;
     s->wind_notes = o->args.wind_notes;
     s->azimuth = o->azimuth;
     if (o->corridor > 0) s->corridor = o->corridor, s->corridor_towards = o->corridor_towards;
     if (o->tip_angle > 0) s->tip_angle = o->tip_angle;
+    if (o->node_spacing > 0) s->node_spacing = o->node_spacing;
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;

@@ -37,7 +37,9 @@ struct wf_analyze_options {
     double root_stiffness, speed_up;              /* [N m rad-1]; [-]; NAN: not given          */
     double branches_from;                         /* [m]                                       */
     double corridor, corridor_towards, tip_angle; /* [m], [rad], [rad]; NAN: not given */
+    double node_spacing;                          /* [m]; NAN: not given */
     bool unions;
+    const char *guys; /* NULL: none */
     struct wf_pages pages;
     struct wf_job job;
 };

@@ -153,6 +153,57 @@ static bool reduce_wrong(const void *options, const struct wf_option *row, char 
                             text);
 }
 
+/* A number with one of two units; without one it is of the second where that is NULL. */
+static bool read_part(const char *text, const char *unit, double factor, bool bare, double *out)
+{
+    const char *end = wf_number_read(text, text + strlen(text), '.', out);
+    if (!end) return false;
+    end += strspn(end, " ");
+    if (!*end) return bare;
+    *out *= factor;
+    return !strcmp(end, unit);
+}
+
+/* "40 %" all around, "30deg:120deg" or "30deg:120deg:40 %", clockwise from north. Returned: whether it is one
+ * of them; in *q the loss, its sector as on a compass: middle and half the width [rad]. */
+static bool read_root_loss(const char *text, struct wf_anchorage_request *q)
+{
+    char copy[80], *part[3] = { copy };
+    const double degree = WF_PI / 180;
+    double from, to;
+    size_t n = 1;
+    if (!text) return true;
+    if (strlen(text) >= sizeof copy) return false;
+    memcpy(copy, text, strlen(text) + 1);
+    for (char *p = copy; (p = strchr(p, ':')); part[n++] = p) {
+        if (n == WF_COUNT(part)) return false;
+        *p++ = '\0';
+        p += strspn(p, " ");
+    }
+    q->lost = 1, q->lost_half = WF_PI;
+    if (n != 2 && !read_part(part[n - 1], "%", 0.01, true, &q->lost)) return false;
+    if (n > 1) {
+        if (!read_part(part[0], "deg", 1, true, &from) || !read_part(part[1], "deg", 1, true, &to))
+            return false;
+        if (!(fabs(from) <= 360 && fabs(to) <= 360)) return false;
+        double width = to - from > 0 ? to - from : to - from + 360;
+        if (!(width > 0 && width <= 360)) return false;
+        q->lost_half = 0.5 * width * degree, q->lost_middle = (from + 0.5 * width) * degree;
+    }
+    return q->lost > 0 && q->lost <= (n > 1 ? 1 : 0.95);
+}
+
+static bool root_loss_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const char *text = ((const struct wf_assess_options *)options)->root_loss;
+    struct wf_anchorage_request q;
+    (void)row;
+    return wf_option_unused(!read_root_loss(text, &q), why,
+                            "'%.60s' is no loss of roots: a share up to 95%% all around, 40%%, or a sector "
+                            "clockwise from north with or without a share, 30deg:120deg:60%%",
+                            text);
+}
+
 static bool change_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
@@ -200,9 +251,11 @@ static const struct wf_option card_rows[] = {
     FLAG("--leaf-off", leaf_off, "when the leaves have fallen", .unused = change_unused),
     NUMBER("--cavity-growth", cavity_growth, "LENGTH", LENGTH, "mm", 0, 1000, NULL,
            "off the walls of the cavities", .unused = change_unused),
-    NUMBER("--root-loss", root_loss, "SHARE", NONE, NULL, 0, 0.95, NULL,
-           "share of the anchorage that is lost with roots, the same from all sides: a rule of ours",
-           .unused = change_unused),
+    TEXT(
+        "--root-loss", root_loss, "SHARE|FROM:TO[:SHARE]", NULL,
+        "share of the roots that is lost, all around (40%) or in a sector clockwise from north (30deg:120deg "
+        "or 30deg:120deg:60%): a rule of ours",
+        .wrong = root_loss_wrong, .unused = change_unused),
     TEXT("--reports", reports, "FOLDER", NULL,
          "of a table: also results, tables, plots and pages of each tree, in a folder by the line of its row",
          .unused = reports_unused),
@@ -222,10 +275,11 @@ static const struct wf_option card_rows[] = {
 
 /* Options of analyze that say something else, or nothing, of a card. */
 static const char *const left_out[] = {
-    "--output",          "--model",         "--tree",          "--joint",  "--leaf-area", "--rest",
-    "--scanned",         "--strict",        "--crown-outline", "--unload", "--tree-id",   "--scan-model",
-    "--force",           "--cap-children",  "--preset",        "--solver", "--shelter",   "--branches-from",
-    "--branch-strength", "--weight-stress", "--unions",
+    "--output",  "--model",        "--tree",          "--joint",           "--leaf-area",
+    "--rest",    "--scanned",      "--strict",        "--crown-outline",   "--unload",
+    "--tree-id", "--scan-model",   "--force",         "--cap-children",    "--preset",
+    "--solver",  "--shelter",      "--branches-from", "--branch-strength", "--weight-stress",
+    "--unions",  "--node-spacing",
 };
 
 static bool is_left_out(const struct wf_option *row)
@@ -291,7 +345,12 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     if ((s = wf_card_model(&c, sp, a, out, e))) return s;
     if (o->name) out->name = o->name;
     beside.crown.width = beside.crown.depth = beside.crown.area = NAN; /* they are the card's */
-    return wf_tree_asked_onto(&beside, false, a, out, d, e);
+    beside.crown.leafless = NAN; /* of a tree in leaf it is that of its scenarios without leaves */
+    if ((s = wf_tree_asked_onto(&beside, false, a, out, d, e))) return s;
+    out->silhouette.leafless = o->run.tree.crown.leafless;
+    if (!isnan(out->silhouette.leafless) && out->season == WF_LEAF_ON && !o->leaf_off && !o->scenarios)
+        wf_diag_warn(d, "leaf-off-share", "%s: leaf_off_share has no effect on a tree in leaf", out->name);
+    return WF_OK;
 }
 
 /* ---- One tree apart ---- */
@@ -312,7 +371,10 @@ static enum wf_status change_roots(struct wf_assess_case *c, struct wf_arena *a,
     if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
     if (c->request.scenario.anchorage) *q = *c->request.scenario.anchorage;
     q->grown = c->options.height;
-    q->lost = fmax(0, c->options.root_loss);
+    if (c->options.root_loss) {
+        (void)read_root_loss(c->options.root_loss, q);
+        q->lost_middle = wf_wind_azimuth(q->lost_middle + WF_PI, c->request.directions.north);
+    }
     if (c->request.scenario.anchorage) c->request.scenario.anchorage = q;
     return WF_OK;
 }
@@ -338,16 +400,18 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
     struct wf_analyze_request *q = &c->request;
     const struct wf_speeds *wind = &c->options.run.wind;
     const struct wf_design_words *design = &c->options.run.profile.design;
-    struct wf_assess_direction around[WF_ASSESS_DIRECTIONS];
     double worst = q->scenario.azimuth;
     enum wf_status s = WF_OK;
-    if (!wf_assess_is_round(&c->model) && !q->scenario.site)
+    bool turns = !wf_assess_is_round(&c->model, &q->scenario) && !q->scenario.site;
+    if (turns)
         s = wf_assess_around(c->species, &c->model, &q->scenario, q->solver, &q->solve,
-                             wind->speed[wind->n - 1], q->directions.north, around, &worst, e);
+                             wind->speed[wind->n - 1], q->directions.north, c->around, &worst, e);
     if (!WF_GIVEN(&c->options.run, azimuth)) q->scenario.azimuth = worst;
     if (!s)
         s = wf_analyze(c->species, &c->model, &q->scenario, &q->search, q->solver, &q->solve, wind->speed,
                        wind->n, a, d, &c->an, e);
     if (!s) s = wf_interval_take(&c->an, &q->solve, &q->interval, true, a, e);
-    return s ? s : wf_assess(&c->an, &q->solve, c->options.required, design->code ? design : NULL, &c->x, e);
+    if (!s) s = wf_assess(&c->an, &q->solve, c->options.required, design->code ? design : NULL, &c->x, e);
+    if (turns) c->x.directions = WF_ASSESS_DIRECTIONS, c->x.direction = c->around;
+    return s;
 }

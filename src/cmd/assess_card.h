@@ -10,10 +10,11 @@ struct wf_assess_options {
     struct wf_analyze_options run; /* comes first: its rows are taken as they are */
     const char *name, *species;    /* NULL: not given */
     double height, girth, dbh, crown_base;
-    double lean, lean_towards;             /* [rad], clockwise from north; NAN: not given */
-    double required;                       /* safety [-] */
-    const char *reduce;                    /* "20 %" or "3 m"; NULL: not given */
-    double thin, cavity_growth, root_loss; /* [-], [m], [-]; NAN: not given */
+    double lean, lean_towards;  /* [rad], clockwise from north; NAN: not given */
+    double required;            /* safety [-] */
+    const char *reduce;         /* "20 %" or "3 m"; NULL: not given */
+    double thin, cavity_growth; /* [-], [m]; NAN: not given */
+    const char *root_loss;      /* "40 %" or "30deg:120deg:40 %"; NULL: not given */
     bool leaf_off;
     const char *scenarios, *from; /* NULL: none */
     const char *reports;          /* folder, of a table; NULL: none */
@@ -39,6 +40,7 @@ struct wf_assess_case {
     double cut; /* share of the crown's frontal area that the changes take [-] */
     struct wf_analysis an;
     struct wf_assessment x;
+    struct wf_assess_direction around[WF_ASSESS_DIRECTIONS]; /* of x, where directions differ */
 };
 /* Given: options and species. Returned: model and request, of a bare analysis unless there are reports.
  * Errors: as wf_assess_model. */

@@ -15,6 +15,7 @@
 #include <math.h>
 
 static double degrees(double rad) { return rad * 180.0 / M_PI; }
+static double compass(double rad) { return fmod(round(degrees(rad)) + 360, 360); }
 
 static void print_number(FILE *to, int width, double x)
 {
@@ -50,7 +51,7 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
     if (there != speed)
         wf_show(to, "\n        at the tree, terrain %s, %.1f m/s at %.4g m", s->category->name, there,
                 s->reference_height);
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 /* One reason a line. */
@@ -102,7 +103,7 @@ static void print_governing(FILE *to, const struct wf_analysis *an)
             wf_criteria[p->criterion].name);
     if (an->assessment->directions)
         wf_show(to, "  governing direction: wind from %.0f deg\n",
-                degrees(wf_direction_from(&place, an->scenario.azimuth)));
+                compass(wf_direction_from(&place, an->scenario.azimuth)));
 }
 
 static void print_critical(FILE *to, const struct wf_analysis *an)
@@ -140,6 +141,16 @@ static void print_years(FILE *to, const struct wf_analysis *an)
                 x->years < 10 ? 2 : 3, x->years, an->scenario.design->title);
 }
 
+static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d)
+{
+    for (size_t k = 0; k < n; k++) {
+        wf_show(to, "%7.0f deg", compass(d[k].from));
+        print_number(to, 7, d[k].breakage);
+        print_number(to, 7, d[k].overturning);
+        if (k % 4 == 3 || k + 1 == n) wf_show(to, "\n");
+    }
+}
+
 static void print_directions(FILE *to, const struct wf_assessment *x)
 {
     if (!x->directions) {
@@ -148,13 +159,7 @@ static void print_directions(FILE *to, const struct wf_assessment *x)
         return;
     }
     wf_show(to, "\n  safety by the direction the wind comes from: breakage, overturning\n");
-    for (size_t k = 0; k < x->directions; k++) {
-        const struct wf_assess_direction *d = &x->direction[k];
-        wf_show(to, "%7.0f deg", degrees(d->from));
-        print_number(to, 7, d->breakage);
-        print_number(to, 7, d->overturning);
-        if (k % 4 == 3 || k + 1 == x->directions) fputc('\n', to);
-    }
+    print_around(to, x->directions, x->direction);
 }
 
 static void print_missing(FILE *to, const struct wf_analysis *an)
@@ -170,6 +175,7 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         const char *why = wf_verdict_unassessed(an, &v, (enum wf_criterion_id)c);
         if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
     }
+    if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
     if (an->anchorage && an->anchorage->method)
         wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
 }
@@ -214,6 +220,12 @@ static void print_scenarios(FILE *to, const struct wf_analysis *an)
         flagged = flagged || q->cut > WF_ASSESS_CUT_FLAGGED;
     }
     if (x->scenarios) wf_show(to, "  scenarios are without an interval: 'incomplete' may be uncertain\n");
+    for (size_t k = 0; k < x->scenarios; k++) {
+        const struct wf_assess_scenario *q = &x->scenario[k];
+        if (!q->directions) continue;
+        wf_show(to, "\n  %s: safety by the direction the wind comes from: breakage, overturning\n", q->name);
+        print_around(to, q->directions, q->direction);
+    }
     if (flagged)
         wf_show(to, "  !: more than %.0f %% of the crown: a loss that harms the tree\n",
                 100 * WF_ASSESS_CUT_FLAGGED);
@@ -232,6 +244,7 @@ void wf_print_assessment(FILE *to, const struct wf_analysis *an)
     print_governing(to, an);
     print_critical(to, an);
     print_years(to, an);
+    wf_print_guys(to, an);
     wf_print_wetted(to, an);
     print_directions(to, x);
     print_scenarios(to, an);

@@ -42,7 +42,7 @@ static const char *add_change(const struct wf_option *rows, char *text, struct b
     const struct wf_option *o = &rows[row];
     bool barred = o->kind == WF_OPTION_STUDY || o->kind == WF_OPTION_TEXTS || !strcmp(o->name, "--output") ||
                   !strcmp(o->name, "--species");
-    if (barred && strcmp(o->name, "--cavity"))
+    if (barred && strcmp(o->name, "--cavity") && strcmp(o->name, "--guy"))
         return wf_arena_print(a, "'%.40s' is the same in all scenarios", text);
     if (out->n == CHANGES_MAX) return "more than 12 changes";
     out->option[out->n] = row;
@@ -132,6 +132,7 @@ static void take_result(const struct wf_assess_case *c, struct wf_assess_scenari
     out->critical = k && k->outcome == WF_CRITICAL_FOUND ? k->speed : (double)NAN;
     out->cut = c->cut;
     out->word = c->x.word;
+    out->directions = c->x.directions, out->direction = c->around;
 }
 
 static enum wf_status run_case(struct wf_assess_case *c, const struct wf_species *sp, const char *name,
@@ -168,7 +169,7 @@ static enum wf_status find_reduction(const struct wf_assess_options *o, const st
     for (double share = most; share == most || high - low > 0.01; share = 0.5 * (low + high)) {
         *c = (struct wf_assess_case){ .options = *o };
         c->options.run.samples = 0;
-        c->options.thin = c->options.cavity_growth = c->options.root_loss = NAN;
+        c->options.thin = c->options.cavity_growth = NAN, c->options.root_loss = NULL;
         c->options.leaf_off = false;
         if (!(c->options.reduce = wf_arena_print(a, "%.4g%%", 100 * share)))
             return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");

@@ -73,7 +73,7 @@ static enum wf_status take_direction(struct wf_analyze_work *run, struct wf_err 
     double worst = q->scenario.azimuth;
     q->search.bare = !run->folder && !w->options.from;
     if (w->options.from && put_fit(w, e)) return e->code;
-    if (wf_assess_is_round(&run->model) || q->scenario.site) return WF_OK;
+    if (wf_assess_is_round(&run->model, &q->scenario) || q->scenario.site) return WF_OK;
     w->directions = WF_ASSESS_DIRECTIONS;
     enum wf_status s = wf_assess_around(run->species, &run->model, &q->scenario, q->solver, &q->solve,
                                         run->options.wind.speed[run->options.wind.n - 1], q->directions.north,

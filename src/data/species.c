@@ -54,9 +54,9 @@ static void level_finish(struct wf_yaml *y, void *level)
     struct wf_level *l = level;
     (void)y;
     if (!l->shear_modulus.given)
-        l->shear_modulus = derived(&l->youngs_modulus, 1.0 / modulus_ratio, "youngs_modulus / 16");
+        l->shear_modulus = derived(&l->youngs_modulus, 1.0 / modulus_ratio, "a sixteenth of Young's modulus");
     if (!l->shear_strength.given && l->modulus_of_rupture.given)
-        l->shear_strength = derived(&l->modulus_of_rupture, shear_ratio, "0.15 times modulus_of_rupture");
+        l->shear_strength = derived(&l->modulus_of_rupture, shear_ratio, "0.15 times the modulus of rupture");
 }
 
 static void wall_finish(struct wf_yaml *y, void *level)

@@ -44,6 +44,7 @@ struct wf_tree {
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
     double anchorage;      /* largest moment on the ground that the root carries [N m]; NAN: not known */
+    double node_spacing;   /* between the diaphragms of a hollow stem that are counted [m]; 0: none are */
     struct wf_room {       /* how far the tree may move */
         double corridor;   /* distance of a corridor from the base of the stem [m]; 0: none */
         double towards[2]; /* unit vector of the horizontal direction that it lies in */

@@ -18,6 +18,24 @@ void wf_loads_default(struct wf_loads *l)
                             .axis_drag = &wf_axis_drag_laws[0] };
 }
 
+double wf_tie_pull(const struct wf_tie *t, const double at[3], double force[3], double by_place[9])
+{
+    const double least = 1e-9; /* of its length: a cable at rest is slack, whatever is rounded */
+    double u[3], length = 0;
+    for (int k = 0; k < 3; k++) u[k] = t->anchor[k] - at[k], length += u[k] * u[k];
+    length = sqrt(length);
+    for (int k = 0; k < 3; k++) u[k] /= length, force[k] = 0;
+    for (int k = 0; k < 9 && by_place; k++) by_place[k] = 0;
+    double stretch = length - t->length, pull = t->stiffness * stretch;
+    if (!(stretch > least * t->length)) return 0;
+    for (int k = 0; k < 3; k++) force[k] = pull * u[k];
+    for (int k = 0; k < 9 && by_place; k++) {
+        double along = u[k / 3] * u[k % 3];
+        by_place[k] = -t->stiffness * along - pull / length * ((k % 4 == 0) - along);
+    }
+    return pull;
+}
+
 /* Parameters of a law in the order of its row, from the values of the species. */
 static struct wf_law_values law_values_of(const struct wf_law_use *use, const struct wf_law *l)
 {

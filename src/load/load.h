@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_LOAD_LOAD_H
 #define WF_LOAD_LOAD_H
-/* Loads on a tree: wind, weight, point loads, dead line loads. Solvers read struct wf_loads and do not
- * change it; beam and rod solvers evaluate it on the deformed shape. */
+/* Loads on a tree: wind, weight, point loads, dead line loads, cables that hold it. Solvers read struct
+ * wf_loads and do not change it; beam and rod solvers evaluate it on the deformed shape. */
 #include "base/err.h"
 #include "data/law.h"
 #include "data/tree.h"
@@ -27,6 +27,15 @@ struct wf_point_load {
     double force[3], moment[3]; /* at the undeformed shape [N, N m] */
 };
 
+/* A cable from a row's end to a point that does not move: a spring that pulls and never pushes. */
+struct wf_tie {
+    int32_t segment;  /* holds this row's end */
+    double anchor[3]; /* [m] */
+    double stiffness; /* force over stretch [N m-1] */
+    double length;    /* unstretched [m] */
+};
+enum { WF_TIES_MAX = 8 };
+
 struct wf_loads {
     const struct wf_wind *wind;                   /* NULL = still air */
     double air_density;                           /* [kg m-3] */
@@ -41,6 +50,8 @@ struct wf_loads {
     size_t points;
     const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear
                          * between, keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
+    const struct wf_tie *tie; /* not scaled: they resist */
+    size_t ties;
 };
 /* The laws a species may choose from: streamlining and axis drag (load/drag.h). */
 extern const struct wf_laws wf_laws;
@@ -55,6 +66,10 @@ enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, st
 /* Pointer to a numeric parameter of the streamlining law, so that a caller can vary it; NULL when the law
  * has no parameter of that name. */
 double *wf_loads_streamline_number(struct wf_loads *l, const char *name);
+
+/* Force in a cable whose end is at a place [m]. Returned: [N], 0: it is slack; *force on the tree [N] and its
+ * derivative by the place, row-major [N/m]; by_place may be NULL. */
+double wf_tie_pull(const struct wf_tie *t, const double at[3], double force[3], double by_place[9]);
 
 /* Properties of an axis at one point, per unit reference (unloaded) length. */
 struct wf_line_point {

@@ -31,6 +31,8 @@ static json_t *varied_part(struct wf_doc *d, const struct wf_interval *i, size_t
     wf_doc_number(d, o, "high", v->high);
     wf_doc_number(d, o, "critical_at_low_m_s", i->arm[k].at_low);
     wf_doc_number(d, o, "critical_at_high_m_s", i->arm[k].at_high);
+    wf_doc_flag(d, o, "stands_at_low", !isnan(i->arm[k].at_low));
+    wf_doc_flag(d, o, "stands_at_high", !isnan(i->arm[k].at_high));
     return o;
 }
 
@@ -107,14 +109,16 @@ static void curve_table(FILE *f, const struct wf_analysis *a)
 static void tornado_table(FILE *f, const struct wf_analysis *a)
 {
     const struct wf_interval *i = a->interval;
-    fputs("value,kind,status,median,low,high,critical_at_low_m_s,critical_at_high_m_s\n", f);
+    fputs("value,kind,status,median,low,high,critical_at_low_m_s,critical_at_high_m_s,stands_at_low,"
+          "stands_at_high\n",
+          f);
     for (size_t k = 0; k < i->variation.n; k++) {
         const struct wf_varied *v = &i->variation.varied[k];
         fprintf(f, "%s%s,%s,%s", wf_varied_prefix(v), v->name, v->factor ? "factor" : "species",
                 status_word(v));
         cell(f, v->value), cell(f, v->low), cell(f, v->high);
         cell(f, i->arm[k].at_low), cell(f, i->arm[k].at_high);
-        fputc('\n', f);
+        fprintf(f, ",%d,%d\n", !isnan(i->arm[k].at_low), !isnan(i->arm[k].at_high));
     }
 }
 

@@ -6,6 +6,7 @@
 #include "data/species.h"
 #include "grow/silhouette.h"
 #include "load/drag.h"
+#include "study/guy.h"
 #include "study/peak.h"
 #include "study/wetted.h"
 #include "wind/category.h"
@@ -254,6 +255,8 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "corridor", limit[0], "m", "none is given");
     wf_doc_quantity(d, o, "corridor_towards", limit[1], "rad", "none is given, or where the wind blows");
     wf_doc_quantity(d, o, "tip_angle_limit", limit[2], "rad", "none is given");
+    wf_doc_quantity(d, o, "node_spacing", s->node_spacing > 0 ? s->node_spacing : NAN, "m",
+                    "no diaphragms are counted");
     wf_doc_quantity(d, o, "temperature", s->temperature, "K", NULL);
     wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);
     wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);
@@ -385,6 +388,23 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, crown, "speed_high", law ? law->high : NAN, "m/s", "no limit is known");
     if (a->species->axis_drag.law) put_axis_drag(d, o, &a->loads.axis_drag->law);
     return o;
+}
+
+json_t *wf_part_guys(struct wf_doc *d, const struct wf_analysis *a)
+{
+    json_t *list = wf_doc_array(d);
+    const struct wf_at_speed *at = &a->at[a->n - 1];
+    for (size_t k = 0; k < a->scenario.guys; k++) {
+        const struct wf_guy *g = &a->scenario.guy[k];
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_quantity(d, o, "height", g->height, "m", NULL);
+        wf_doc_quantity(d, o, "distance", g->distance, "m", NULL);
+        wf_doc_quantity(d, o, "towards", g->towards, "rad", NULL);
+        wf_doc_quantity(d, o, "stiffness", g->stiffness, "N/m", NULL);
+        wf_doc_quantity(d, o, "pretension", g->pretension, "N", NULL);
+        wf_doc_quantity(d, o, "pull", at->status ? (double)NAN : at->tie[k], "N", "no equilibrium");
+    }
+    return list;
 }
 
 json_t *wf_part_wetted(struct wf_doc *d, const struct wf_wetted *w)

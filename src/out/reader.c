@@ -27,9 +27,9 @@ static const struct {
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
     { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
-            "searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
+            "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+    { LIST, "guys union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
@@ -66,6 +66,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "distance towards stiffness pretension pull "
       "unions above branch branch_diameter above_diameter below_diameter "
       "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
@@ -86,7 +87,7 @@ static const struct {
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-      "weight_stress strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
+      "weight_stress node_spacing strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,

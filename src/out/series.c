@@ -365,6 +365,7 @@ static json_t *run_part(struct wf_doc *d, const struct wf_series *s)
     wf_doc_text(d, o, "name", s->spec.name);
     wf_doc_text(d, o, "species", s->spec.species->key);
     wf_doc_text(d, o, "species_name", s->spec.species->name);
+    wf_doc_text(d, o, "species_zh", s->spec.species->name_zh);
     wf_doc_text(d, o, "model", s->spec.model->key);
     wf_doc_text(d, o, "preset", s->spec.preset->name);
     wf_doc_text(d, o, "solver", s->spec.solver->name);

@@ -91,6 +91,12 @@ static json_t *not_assessed(struct wf_doc *d, const struct wf_analysis *a, const
         bool unsaid = c == WF_OVERTURNING && !strcmp(why, WF_ANCHORAGE_UNSAID);
         wf_doc_flag(d, o, "unsaid", unsaid);
     }
+    if (wf_verdict_size(a) > 0) {
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "criterion", "size-effect");
+        wf_doc_text(d, o, "reason", WF_SIZE_UNASSESSED);
+        wf_doc_flag(d, o, "unsaid", false);
+    }
     return list;
 }
 
@@ -209,6 +215,17 @@ static json_t *reasons_part(struct wf_doc *d, unsigned because)
     return list;
 }
 
+static void put_around(struct wf_doc *d, json_t *o, size_t n, const struct wf_assess_direction *x)
+{
+    json_t *list = wf_doc_put(d, o, "directions", wf_doc_array(d));
+    for (size_t k = 0; k < n; k++) {
+        json_t *at = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_quantity(d, at, "from", x[k].from, "rad", NULL);
+        wf_doc_quantity(d, at, "breakage", x[k].breakage, "1", "not assessed");
+        wf_doc_quantity(d, at, "overturning", x[k].overturning, "1", "not assessed");
+    }
+}
+
 static void put_scenarios(struct wf_doc *d, json_t *o, const struct wf_assessment *x)
 {
     json_t *list = wf_doc_put(d, o, "scenarios", wf_doc_array(d));
@@ -222,6 +239,7 @@ static void put_scenarios(struct wf_doc *d, json_t *o, const struct wf_assessmen
         wf_doc_quantity(d, at, "overturning", q->overturning, "1", "not assessed");
         wf_doc_quantity(d, at, "critical_speed", q->critical, "m/s", "not found");
         wf_doc_text(d, at, "word", wf_assess_rows[q->word].name);
+        put_around(d, at, q->directions, q->direction);
     }
     wf_doc_number(d, o, "least_reduction", x->reduction);
     wf_doc_number(d, o, "least_reduction_cut", isfinite(x->reduction) ? x->reduction_cut : (double)NAN);
@@ -247,13 +265,7 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
                 : x->years_most  ? "more"
                 : x->years_least ? "less"
                                  : "equal");
-    json_t *list = wf_doc_put(d, o, "directions", wf_doc_array(d));
-    for (size_t k = 0; k < x->directions; k++) {
-        json_t *at = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_quantity(d, at, "from", x->direction[k].from, "rad", NULL);
-        wf_doc_quantity(d, at, "breakage", x->direction[k].breakage, "1", "not assessed");
-        wf_doc_quantity(d, at, "overturning", x->direction[k].overturning, "1", "not assessed");
-    }
+    put_around(d, o, x->directions, x->direction);
     put_scenarios(d, o, x);
     return o;
 }

@@ -51,6 +51,14 @@ static void add_end_loads(const struct wf_beam *b, const double first[3], double
         v3_add(force, l->point_scale, f);
         v3_add(moment, l->point_scale, m), v3_add(moment, l->point_scale, lever);
     }
+    for (size_t q = 0; q < l->ties; q++) {
+        const double *at = b->pose[b->mesh.last[l->tie[q].segment]].r;
+        double f[3];
+        (void)wf_tie_pull(&l->tie[q], at, f, NULL);
+        for (int k = 0; k < 3; k++) arm[k] = at[k] - first[k];
+        wf_cross(arm, f, lever);
+        v3_add(force, 1, f), v3_add(moment, 1, lever);
+    }
 }
 
 static double distance_between(const double a[3], const double b[3])
@@ -489,6 +497,7 @@ const struct wf_solver wf_solver_beam = {
               "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
     .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
     .tracked = true,
+    .ties = true,
     .stands = true,
     .solve = beam_solve,
 };

@@ -27,7 +27,7 @@ struct wf_beam_state {
  * the states that still need it asks for it. Hence the answer of a state depends, within the mesh tolerance,
  * on the others of its block, but neither on the processor's vector width nor on the number of threads. What
  * lanes do not cover is solved as wf_solver_beam does: a single state, sections that are not round, root
- * springs, point loads, different line loads. */
+ * springs, point loads, cables, different line loads. */
 enum wf_status wf_beam_many(const struct wf_tree *t, struct wf_beam_state *state, size_t n,
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_diag *d,
                             struct wf_err *e);

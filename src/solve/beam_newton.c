@@ -109,9 +109,15 @@ static void load_nodes(struct wf_beam *b)
         v3_add(b->wrench[i].n, l->point_scale, f);
         v3_add(b->wrench[i].m, l->point_scale, m);
     }
+    for (size_t k = 0; k < l->ties; k++) {
+        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
+        double f[3];
+        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, NULL);
+        v3_add(b->wrench[i].n, 1, f);
+    }
 }
 
-/* Follower loads rotate with their section: dn = spin x n. */
+/* Follower loads rotate with their section: dn = spin x n. Cables resist as their ends move. */
 static void react_nodes(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
@@ -128,6 +134,12 @@ static void react_nodes(struct wf_beam *b)
                 b->node[i].K[r][3 + c] += N[3 * r + c];
                 b->node[i].K[3 + r][3 + c] += M[3 * r + c];
             }
+    }
+    for (size_t k = 0; k < l->ties; k++) {
+        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
+        double f[3], by[9];
+        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, by);
+        for (int r = 0; r < 9; r++) b->node[i].K[r / 3][r % 3] += by[r];
     }
 }
 

@@ -59,6 +59,7 @@ struct wf_solver {
     bool unmeshed;         /* takes the segments as they are: mesh_tolerance has no effect */
     bool tracked;          /* wf_track_solve gives its solutions */
     bool clamped;          /* holds the base: root_stiffness has no effect */
+    bool ties;             /* takes cables (struct wf_tie) */
     bool stands; /* takes a standing tree (struct wf_tree_standing); others, its stress-free shape */
     enum wf_status (*solve)(const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,

@@ -9,6 +9,7 @@
 #include "grow/silhouette.h"
 #include "load/interception.h"
 #include "load/winter.h"
+#include "study/guy.h"
 #include "study/node.h"
 #include "study/rest.h"
 #include "study/sway.h"
@@ -93,15 +94,27 @@ static enum wf_status anchor(struct wf_analysis *an, struct wf_arena *a, struct 
     if (!found) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
     enum wf_status s = wf_anchorage_find(an->scenario.anchorage, &an->tree, an->species, a, found, e);
     an->anchorage = found;
-    an->tree.anchorage = found->moment;
     return s;
 }
 
-void wf_analysis_room(struct wf_analysis *an)
+void wf_analysis_turned(struct wf_analysis *an)
 {
     const struct wf_scenario *s = &an->scenario;
     double towards = isnan(s->corridor_towards) ? s->azimuth : s->corridor_towards;
     an->tree.room = (struct wf_room){ s->corridor, { cos(towards), sin(towards) }, s->tip_angle };
+    if (an->anchorage) an->tree.anchorage = an->anchorage->moment;
+    if (an->anchorage && s->anchorage) an->tree.anchorage *= wf_anchorage_left(s->anchorage, s->azimuth);
+}
+
+/* The diaphragms of a culm, where they are specified. */
+static enum wf_status diaphragms(struct wf_analysis *an, struct wf_err *e)
+{
+    an->tree.node_spacing = an->scenario.node_spacing;
+    if (!(an->tree.node_spacing > 0) || an->species->level[0].wall.n) return WF_OK;
+    return wf_fail(
+        e, WF_EUSAGE,
+        "--node-spacing %.4g m: diaphragms are of culms; the stem of %s is solid, or hollow by decay",
+        an->tree.node_spacing, an->species->name);
 }
 
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
@@ -112,10 +125,13 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     if (an->misread) wf_tree_scale(&an->tree, an->misread->height, an->misread->radius);
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
+    if (!s) s = wf_guys_onto(an, a, e);
     if (!s) s = anchor(an, a, e);
-    wf_analysis_room(an);
+    if (!s) s = diaphragms(an, e);
+    if (s) return s;
+    wf_analysis_turned(an);
     an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
-    if (!s) s = wf_rest_set_up(an, o, a, d, e);
+    s = wf_rest_set_up(an, o, a, d, e);
     if (!s) rain(an, d); /* it was drawn dry */
     if (!s) s = winter(an, d, e);
     return s;
@@ -167,6 +183,8 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
         return wf_fail(e, WF_EUSAGE,
                        "root stiffness has no effect with the solver '%s', which clamps the base",
                        solver->name);
+    if (sc->guys && !solver->ties)
+        return wf_fail(e, WF_EUSAGE, "guys have no effect with the solver '%s'", solver->name);
     for (size_t k = 0; k < n; k++)
         if (!(speeds[k] >= 0.0 && speeds[k] <= 200.0))
             return wf_fail(e, WF_EUSAGE, "wind speed %.6g m/s is outside 0..200 m/s", speeds[k]);

@@ -33,9 +33,9 @@ enum wf_status wf_analysis_sweep(struct wf_analysis *an, const struct wf_solve_o
                                  struct wf_nodes *nodes, struct wf_arena *a, struct wf_diag *d,
                                  struct wf_err *e);
 
-/* Put the limits of the scenario on how far the tree may move onto it, by the direction of the scenario's
- * wind. wf_analysis_set_up does; again where the wind is turned. */
-void wf_analysis_room(struct wf_analysis *an);
+/* Put onto the tree what depends on the direction of the scenario's wind: how far it may move, and what is
+ * left of its anchorage. wf_analysis_set_up does; again where the wind is turned. */
+void wf_analysis_turned(struct wf_analysis *an);
 /* Does the tree have a row with the wood of that level? Given: an analysis after wf_analysis_set_up. */
 bool wf_analysis_grown(const struct wf_analysis *an, size_t level);
 

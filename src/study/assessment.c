@@ -55,9 +55,11 @@ static enum wf_status set_up(struct wf_analysis *an, const struct wf_solve_optio
 
 /* ---- All directions ---- */
 
-bool wf_assess_is_round(const struct wf_model *m)
+bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc)
 {
+    const struct wf_anchorage_request *roots = sc->anchorage;
     bool round = m->generator == WF_GENERATOR_STEM && m->lean == 0 && !m->sections;
+    if (sc->guys || (roots && roots->lost > 0 && roots->lost_half < M_PI)) return false;
     for (size_t k = 0; k < m->cavities && round; k++)
         round = !isnan(m->cavity[k].wall) && m->cavity[k].offset == 0 && m->cavity[k].opening == 0;
     return round;
@@ -72,6 +74,7 @@ static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve
     an.scenario.azimuth = azimuth;
     an.wind.direction[0] = cos(azimuth), an.wind.direction[1] = sin(azimuth);
     an.loads.wind = &an.wind;
+    wf_analysis_turned(&an);
     enum wf_status s = wf_sway_set_up(&an, o, &speed, 1, &scratch, NULL, e);
     if (!s) s = wf_speed_totals(&an, o, speed, at, e);
     wf_arena_free(&scratch);

@@ -52,8 +52,11 @@ struct wf_assess_direction {
 struct wf_assess_scenario {
     const char *name;
     double cut;                             /* share of the crown's frontal area that is gone [-] */
-    double breakage, overturning, critical; /* safeties [-], NAN: not assessed; [m/s], NAN: not found */
+    double breakage, overturning, critical; /* safeties [-], NAN: not assessed; [m/s], NAN: not found; in the
+                                               weakest direction */
     enum wf_assess_word word;               /* without an interval */
+    size_t directions;                      /* 0: the same from all */
+    const struct wf_assess_direction *direction;
 };
 /* A crown cut above this share is flagged. */
 #define WF_ASSESS_CUT_FLAGGED 0.3
@@ -81,8 +84,8 @@ struct wf_assessment {
     unsigned because; /* of WF_ASSESS_NO_OVERTURNING and so on */
 };
 
-/* Is a model's safety the same in wind from all directions? */
-bool wf_assess_is_round(const struct wf_model *m);
+/* Is a tree's safety the same in wind from all directions? */
+bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc);
 
 /* Safeties of a tree in one wind from WF_ASSESS_DIRECTIONS directions, evenly spaced from that in which it
  * leans. Given: where north is in the model, see study/directions.h [rad]. Returned:

@@ -42,7 +42,7 @@ static void turn_wind(const struct work *w, size_t at, struct wf_analysis *an)
     an->wind.direction[0] = cos(azimuth), an->wind.direction[1] = sin(azimuth);
     an->loads.wind = &an->wind;
     an->peak = w->peak[at];
-    wf_analysis_room(an);
+    wf_analysis_turned(an);
 }
 
 /* The sways of the tree along the wind of one direction. */

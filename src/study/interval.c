@@ -553,27 +553,46 @@ enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_sol
 
 /* ---- In words ---- */
 
-static void append(char *text, size_t size, const struct wf_varied *v, double at_low, double at_high)
+static void end_text(const struct wf_interval *i, double wind, int decimals, char *text, size_t size)
 {
-    size_t used = strlen(text);
-    double low = fmin(at_low, at_high), high = fmax(at_low, at_high);
-    used += (size_t)snprintf(text + used, size - used, "%s%s%s (%s): %.0f to ", used ? "; " : "",
-                             wf_varied_prefix(v), v->name, wf_standing_text(v->standing), low);
-    if (used < size && isinf(high)) (void)snprintf(text + used, size - used, "above the range");
-    if (used < size && !isinf(high)) (void)snprintf(text + used, size - used, "%.0f m/s", high);
+    if (isnan(wind))
+        (void)snprintf(text, size, "not standing");
+    else if (isinf(wind))
+        (void)snprintf(text, size, "above %.4g", i->searched_to);
+    else
+        (void)snprintf(text, size, "%.*f", decimals, wind);
 }
 
-static bool moved(double from, double to) { return fabs(to / from - 1.0) > 0.2; }
+bool wf_interval_arm_text(const struct wf_interval *i, size_t k, char *text, size_t size)
+{
+    enum { DECIMALS = 2 };
+    const struct wf_interval_arm *arm = &i->arm[k];
+    const bool turned = isnan(arm->at_high) || arm->at_high < arm->at_low;
+    const double low = turned ? arm->at_high : arm->at_low, high = turned ? arm->at_low : arm->at_high;
+    char from[40], to[40];
+    for (int decimals = 0; decimals <= DECIMALS; decimals++) {
+        end_text(i, low, decimals, from, sizeof from);
+        end_text(i, high, decimals, to, sizeof to);
+        (void)snprintf(text, size, "%s to %s", from, to);
+        if (strcmp(from, to)) return true;
+    }
+    return false;
+}
+
+static bool moved(double from, double to) { return isnan(to) || fabs(to / from - 1.0) > 0.2; }
 
 void wf_interval_warn(const struct wf_analysis *an, const struct wf_interval *i, struct wf_diag *d)
 {
-    char text[1000] = "";
-    for (size_t k = 0; k < i->variation.n && strlen(text) < sizeof text - 120; k++) {
+    char text[1000] = "", range[80];
+    for (size_t k = 0; k < i->variation.n && strlen(text) < sizeof text - 160; k++) {
         const struct wf_varied *v = &i->variation.varied[k];
         const struct wf_interval_arm *arm = &i->arm[k];
         bool doubted = v->standing == WF_ASSUMED || v->standing == WF_BORROWED;
-        if (doubted && (moved(i->middle, arm->at_low) || moved(i->middle, arm->at_high)))
-            append(text, sizeof text, v, arm->at_low, arm->at_high);
+        bool decides = doubted && (moved(i->middle, arm->at_low) || moved(i->middle, arm->at_high));
+        size_t used = strlen(text);
+        if (decides && wf_interval_arm_text(i, k, range, sizeof range))
+            (void)snprintf(text + used, sizeof text - used, "%s%s%s (%s): %s m/s", used ? "; " : "",
+                           wf_varied_prefix(v), v->name, wf_standing_text(v->standing), range);
     }
     if (*text)
         wf_diag_warn(d, "value-decides",

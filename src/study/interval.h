@@ -27,7 +27,7 @@ struct wf_interval_request {
 };
 
 /* What one value does alone: critical winds with it at its 5 and 95 % points, all others at their medians
- * [m/s]; INFINITY: above the range of the search. */
+ * [m/s]; INFINITY: above the range of the search; NAN: the tree would not stand under its own weight. */
 struct wf_interval_arm {
     double at_low, at_high;
 };
@@ -81,6 +81,11 @@ void wf_interval_warn(const struct wf_analysis *an, const struct wf_interval *i,
 enum wf_status wf_interval_take(struct wf_analysis *an, const struct wf_solve_options *o,
                                 const struct wf_interval_request *q, bool specified, struct wf_arena *a,
                                 struct wf_err *e);
+
+/* What the k-th value does alone in words, with as many decimals as tell the ends apart, up to two: "9 to
+ * 14", "9.1 to 9.4", "not standing to 9", "14 to above 60". Returned: false where they do not tell them
+ * apart. */
+bool wf_interval_arm_text(const struct wf_interval *i, size_t k, char *text, size_t size);
 
 /* Is the root assessed, or the stem alone? */
 bool wf_interval_rooted(const struct wf_analysis *an);

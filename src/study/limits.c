@@ -2,6 +2,7 @@
 #include "study/limits.h"
 #include "base/num.h"
 #include "data/model.h"
+#include "data/section.h"
 #include "data/species.h"
 #include "load/drag.h"
 #include "study/analysis.h"
@@ -183,6 +184,48 @@ static void check_unverified(const struct wf_analysis *an, struct wf_diag *d)
                      an->species->name, wind_seen);
 }
 
+/* Strengths of small specimens on a thick stem. */
+static void check_size(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const double large = 0.05, small = 0.02, power = 1.0 / 9.0; /* specimens [m]; of timber design */
+    double diameter = wf_verdict_size(an);
+    if (diameter > 0)
+        wf_diag_warn(
+            d, "size-effect",
+            "%s: the stem breaks, or is nearest to it, where its wood is %.2g m thick, and its modulus of "
+            "rupture is taken as it was measured, as a rule on clear specimens of 20 to 50 mm. Thick timber "
+            "breaks at lower stresses; that is not applied, and the critical wind of breakage may be too "
+            "high. "
+            "The rule of timber design (power 1/9 of the depth, above 12 in) makes the strength %.0f to %.0f "
+            "%% "
+            "lower; by Virot et al. 2016 it falls more",
+            an->species->name, diameter, 100 * (1 - pow(large / diameter, power)),
+            100 * (1 - pow(small / diameter, power)));
+}
+
+/* Diaphragms that are counted, and by how much where the wall is nearest to splitting or flattening. */
+static void check_diaphragms(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_tree *t = &an->tree;
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    double times = 1;
+    if (!(t->node_spacing > 0)) return;
+    for (int c = WF_SPLITTING; at && c <= WF_OVALISATION; c++) {
+        const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
+        if (w->row < 0) continue;
+        struct wf_wall wall = wf_section_wall(t, (size_t)w->row, w->place);
+        times = fmax(times, wf_wall_held(t->node_spacing, t->youngs[w->row], t->transverse[w->row],
+                                         wall.radius, wall.thickness));
+    }
+    wf_diag_warn(
+        d, "diaphragms",
+        "%s: the culm's diaphragms, %.3g m apart, are counted by judgement, not by measurement: where "
+        "the wall is nearest to splitting or flattening it bears up to %.3g times as much. Poles of "
+        "bamboo with their diaphragms did crack along the grain in bending tests; without "
+        "--node-spacing they are left out, which is on the safe side",
+        an->species->name, t->node_spacing, times);
+}
+
 void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d)
 {
     const double linear = 0.25 / DEGREES;
@@ -302,6 +345,8 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_critical(an, d);
     check_corridor(an, d);
     check_unverified(an, d);
+    check_size(an, d);
+    check_diaphragms(an, d);
     check_as_printed(an, d);
     check_assumed(an, d);
 }

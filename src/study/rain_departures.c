@@ -151,8 +151,8 @@ void wf_rain_departures(const struct wf_rain_result *r, struct wf_diag *d)
     double most = 0;
     for (size_t i = 0; i < r->rows; i++) most = fmax(most, r->row[i].petiole_force / r->spec->water.gravity);
     wf_diag_warn(d, "water-inertia",
-                 "water on leaves acts by weight and impact, not by its inertia: with %.2g mg on a leaf of "
-                 "%.2g mg its "
+                 "water on leaves acts by weight and impact, not by its inertia: with %.3g mg on a leaf of "
+                 "%.3g mg its "
                  "frequency would be up to %.1f %% lower",
                  1e6 * most, 1e6 * leaf_mass(r), 100 * (1 - 1 / sqrt(1 + most / leaf_mass(r))));
 }

@@ -172,6 +172,14 @@ static void totals_fill(const struct wf_analysis *an, const struct totals *all, 
     out->tip_angle = tip_angle;
     out->base_shear = hypot(force[0], force[1]);
     out->base_moment = hypot(moment[0], moment[1]);
+    for (size_t k = 0; k < an->loads.ties; k++) {
+        const struct wf_tie *tie = &an->loads.tie[k];
+        const struct wf_tree *t = &an->tree;
+        const double *moved = out->response.end + 3 * (size_t)tie->segment;
+        double place[3] = { t->x1[tie->segment], t->y1[tie->segment], t->z1[tie->segment] }, pull[3];
+        v3_add(place, 1, moved);
+        out->tie[k] = wf_tie_pull(tie, place, pull, NULL);
+    }
 }
 
 static void totals_unknown(struct wf_at_speed *out)

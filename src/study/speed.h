@@ -49,6 +49,7 @@ struct wf_at_speed {
     double tip_deflection_share;    /* of tree height [-] */
     double tip_angle;               /* between unloaded and loaded axis at the stem tip [rad] */
     double base_shear, base_moment; /* [N], [N m] */
+    double tie[WF_TIES_MAX];        /* forces in the cables that hold the tree [N] */
     struct wf_steady steady;        /* of the given speeds; of others unknown */
 };
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/verdict.h"
+#include "data/section.h"
 #include "fail/anchorage.h"
 #include <math.h>
 
@@ -77,6 +78,22 @@ const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_
     if (c == WF_OVERTURNING && !an->anchorage) return WF_ANCHORAGE_UNSAID;
     if (c == WF_OVERTURNING && !an->anchorage->method) return an->anchorage->text;
     return wf_criteria[c].whole ? "the root's row is not credible as drawn" : "strength unknown";
+}
+
+double wf_verdict_size(const struct wf_analysis *an)
+{
+    static const enum wf_criterion_id bent[] = { WF_BREAKAGE, WF_TORSION };
+    const struct wf_at_speed *given = wf_verdict_wind(an);
+    double largest = 0;
+    for (size_t k = 0; k < WF_COUNT(bent); k++) {
+        const struct wf_at_speed *at[] = { &an->breaks[bent[k]][WF_SCOPE_STEM].at, given };
+        for (size_t i = 0; i < WF_COUNT(at); i++) {
+            if (!at[i] || at[i]->status || isnan(at[i]->speed)) continue;
+            const struct wf_worst *w = &at[i]->worst[bent[k]][WF_SCOPE_STEM];
+            if (w->row >= 0) largest = fmax(largest, 2 * wf_wood_radius(&an->tree, (size_t)w->row, w->place));
+        }
+    }
+    return largest > WF_SIZE_FROM ? largest : 0;
 }
 
 /* ---- Branches ---- */

@@ -32,6 +32,16 @@ bool wf_verdict_lost(const struct wf_verdict *v, const struct wf_at_speed *at);
 const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_verdict *v,
                                   enum wf_criterion_id c);
 
+/* From this diameter on a rule of timber design lowers the bending strength: 12 in [m]. Strengths of species
+ * tables are those of small clear specimens. docs/failure.md has the sources. */
+#define WF_SIZE_FROM 0.3048
+#define WF_SIZE_UNASSESSED                                                                                   \
+    "the strength of small clear specimens is not lowered for the size of the stem, so that the wind in "    \
+    "which it breaks may be too high"
+/* Diameter of the wood where the stem breaks or is nearest to breaking, where it is above WF_SIZE_FROM, so
+ * that the effect of size on strength, which is not computed, may matter [m]; 0: it is not. */
+double wf_verdict_size(const struct wf_analysis *an);
+
 /* Branches by thickness, from an->search.branches_from on, each class twice as thick as the one before. */
 enum { WF_BRANCH_CLASSES = 6 };
 struct wf_branch_class {
