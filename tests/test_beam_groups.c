@@ -39,6 +39,18 @@ static void grow(struct beam_case *c, uint64_t seed, size_t rows, double speed)
     if (seed % 5 == 2) c->options.root_stiffness[0] = c->options.root_stiffness[1] = 1e5;
 }
 
+/* Ties from two branches to the ground. */
+static void tie(struct beam_case *c, struct wf_tie ties[2])
+{
+    for (int k = 0; k < 2; k++) {
+        size_t row = c->tree.n - 1 - 3 * (size_t)k;
+        ties[k] = (struct wf_tie){
+            .segment = (int32_t)row, .anchor = { 6 - 12 * k, 4, 0 }, .stiffness = 200, .length = 0.1
+        };
+    }
+    c->loads.tie = ties, c->loads.ties = 2;
+}
+
 /* The beam, to be computed by groups or not. */
 static void begin(struct beam_case *c, bool groups, struct wf_beam *b)
 {
@@ -116,10 +128,12 @@ static void sweeps_agree(void **state)
     for (uint64_t seed = 0; seed < 60; seed++) {
         struct beam_case c[2];
         struct wf_beam b[2];
+        struct wf_tie ties[2];
         struct wf_beam_stability count[2] = { { .margin = 1e-6 }, { .margin = 1e-6 } };
         const bool counting = seed % 3 == 1;
         for (int k = 0; k < 2; k++) {
             grow(&c[k], seed, 20 + 5 * seed, seed % 2 ? 12 : 30);
+            if (seed % 5 == 4) tie(&c[k], ties);
             begin(&c[k], k, &b[k]);
             b[k].off = WF_TAKE(&c[k].arena, b[k].mesh.n, double);
             b[k].weak = WF_TAKE(&c[k].arena, b[k].mesh.n, bool);
@@ -165,10 +179,12 @@ static void equilibria_agree(void **state)
         struct beam_case c[2];
         struct wf_beam b[2];
         bool found[2];
+        struct wf_tie ties[2];
         struct wf_point_load push = { .segment = 5, .kind = WF_POINT_FOLLOWER, .force = { 20, 0, 0 } };
         for (int k = 0; k < 2; k++) {
             grow(&c[k], seed, 20 + 5 * seed, seed % 2 ? 8 : 15);
             if (seed % 3 == 0) c[k].loads.point = &push, c[k].loads.points = 1;
+            if (seed % 3 == 1) tie(&c[k], ties);
             begin(&c[k], k, &b[k]);
             found[k] = wf_beam_rests(&b[k]);
         }

@@ -437,9 +437,10 @@ static bool down(struct wf_groups_sweep *x)
     struct work w = { .x = x };
     for (int k = 0; k < WF_WIDTH; k++) all[k] = x->loads;
     set_air(all, &w.air);
+    /* ties pull by where their ends are in all directions, as winds of any form blow */
+    bool upwards = w.air.profile != WF_PROFILE_OTHER && !x->loads->ties;
     void (*of_some)(struct work *, const struct some *, size_t) =
-        !x->tangent ? forces_of_some
-                    : (w.air.profile == WF_PROFILE_OTHER ? eliminate_varying : eliminate_upwards);
+        !x->tangent ? forces_of_some : (upwards ? eliminate_upwards : eliminate_varying);
     x->negative = 0, x->bears = 0;
     for (size_t g = 0; g < x->groups->n && !w.broken; g++) {
         const struct wf_beam_group *group = &x->groups->group[g];
