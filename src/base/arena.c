@@ -49,6 +49,18 @@ static struct wf_arena_block *take_spare(size_t size)
     return b;
 }
 
+void wf_arena_drop_spare(void)
+{
+    pthread_mutex_lock(&spare.lock);
+    struct wf_arena_block *b = spare.first;
+    spare.first = NULL, spare.bytes = 0;
+    pthread_mutex_unlock(&spare.lock);
+    for (struct wf_arena_block *older; b; b = older) {
+        older = b->older;
+        free(b);
+    }
+}
+
 static void free_block(struct wf_arena_block *b)
 {
     if (b->dirty < b->used) b->dirty = b->used;
