@@ -2,6 +2,7 @@
 #include "cmd/analyze_print.h"
 #include "base/num.h"
 #include "cmd/option.h"
+#include "cmd/print_measures.h"
 #include "cmd/print_walls.h"
 #include "data/model.h"
 #include "data/species.h"
@@ -11,7 +12,6 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
-#include "study/guy.h"
 #include "study/interval.h"
 #include "study/peak.h"
 #include "study/unions.h"
@@ -546,28 +546,6 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, "\n");
 }
 
-void wf_print_guys(FILE *to, const struct wf_analysis *an)
-{
-    const struct wf_at_speed *at = &an->at[an->n - 1];
-    const struct wf_break *loss = wf_verdict_of(an->breaks).loss;
-    for (size_t k = 0; k < an->scenario.guys; k++) {
-        const struct wf_guy *g = &an->scenario.guy[k];
-        wf_show(to, "  guy at %.4g m to an anchor %.4g m away towards %.0f deg: ", g->height, g->distance,
-                degrees(g->towards));
-        if (at->status)
-            wf_show(to, "no equilibrium in %.4g m/s", at->speed);
-        else
-            wf_show(to, at->tie[k] > 0 ? "%.3g kN in %.4g m/s" : "slack in %.4g m/s",
-                    at->tie[k] > 0 ? at->tie[k] / 1e3 : at->speed, at->speed);
-        if (loss && loss->critical.outcome == WF_CRITICAL_FOUND && !loss->at.status)
-            wf_show(to, ", %.3g kN in the critical wind", loss->at.tie[k] / 1e3);
-        wf_show(to, "\n");
-    }
-    if (an->scenario.guys)
-        wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
-                an->loads.ties ? "; a foot that turns more than was computed puts more on them" : "");
-}
-
 void wf_print_wetted(FILE *to, const struct wf_analysis *an)
 {
     print_wetted(to, an->winter);
@@ -640,7 +618,11 @@ static void print_criteria(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_branch_strength *b = an->branch_strength;
     const struct wf_at_speed *at = wf_verdict_wind(an);
-    if (!at || !wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_STEM)) return;
+    bool known = false;
+    for (int c = 0; c < WF_CRITERIA; c++)
+        known = known ||
+                (wf_criteria[c].section && wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_STEM));
+    if (!at || !known) return;
     wf_show(to,
             "\n  Stem by criteria; safety, place and stresses at %.6g m/s\n%18s%9s%8s%14s%8s%8s%10s%10s\n",
             at->speed, "", "safety", "wanted", "critical m/s", "gust", "at m", "stress", "bears MPa");
@@ -661,6 +643,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     wf_print_interval(to, an);
     print_branches(to, an);
     print_unions(to, an);
+    wf_print_removals(to, an);
     wf_print_walls(to, an);
     wf_print_wetted(to, an);
     print_directions(to, an);

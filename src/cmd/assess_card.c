@@ -241,6 +241,11 @@ static const struct wf_option card_rows[] = {
          "ground), a point a row, or an SVG file with one closed path"),
     NUMBER("--required-safety", required, "NUMBER", NONE, NULL, 1, 10, "1.5",
            "safety that is required, of arborists' practice"),
+    PATH("--extremes", extremes, "FOLDER|FILE", NULL,
+         "how often winds blow, for the return period of the critical wind: results of 'windfirm wind "
+         "extremes', or a table of annual maxima, 10-min means at 10 m over open country [the code's]"),
+    NUMBER("--life", life, "YEARS", NONE, NULL, 1, 1000, "10",
+           "time over which the chance of the critical wind is also given"),
     TEXT("--reduce", reduce, "SHARE|LENGTH", NULL,
          "beside the tree as it stands: its crown reduced all round, by a share of its height and width "
          "(20%) or "
@@ -279,7 +284,7 @@ static const char *const left_out[] = {
     "--rest",    "--scanned",      "--strict",        "--crown-outline",   "--unload",
     "--tree-id", "--scan-model",   "--force",         "--cap-children",    "--preset",
     "--solver",  "--shelter",      "--branches-from", "--branch-strength", "--weight-stress",
-    "--unions",  "--node-spacing",
+    "--unions",  "--node-spacing", "--remove",
 };
 
 static bool is_left_out(const struct wf_option *row)
@@ -353,6 +358,14 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     return WF_OK;
 }
 
+struct wf_assess_often wf_assess_often_of(const struct wf_assess_options *o)
+{
+    struct wf_assess_often often = o->often;
+    often.design = &o->run.profile.design;
+    often.life = o->life;
+    return often;
+}
+
 /* ---- One tree apart ---- */
 
 static enum wf_status change_model(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
@@ -384,7 +397,7 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
 {
     enum wf_status s = wf_assess_model(&c->options, c->species, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
-    c->request.search.bare = !c->options.reports;
+    c->request.search.bare = c->request.search.held = !c->options.reports;
     if (c->request.search.bare &&
         !WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
         c->request.solve.mesh_tolerance = 0.0;
@@ -399,7 +412,7 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
 {
     struct wf_analyze_request *q = &c->request;
     const struct wf_speeds *wind = &c->options.run.wind;
-    const struct wf_design_words *design = &c->options.run.profile.design;
+    const struct wf_assess_often often = wf_assess_often_of(&c->options);
     double worst = q->scenario.azimuth;
     enum wf_status s = WF_OK;
     bool turns = !wf_assess_is_round(&c->model, &q->scenario) && !q->scenario.site;
@@ -411,7 +424,7 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
         s = wf_analyze(c->species, &c->model, &q->scenario, &q->search, q->solver, &q->solve, wind->speed,
                        wind->n, a, d, &c->an, e);
     if (!s) s = wf_interval_take(&c->an, &q->solve, &q->interval, true, a, e);
-    if (!s) s = wf_assess(&c->an, &q->solve, c->options.required, design->code ? design : NULL, &c->x, e);
+    if (!s) s = wf_assess(&c->an, &q->solve, c->options.required, &often, &c->x, e);
     if (turns) c->x.directions = WF_ASSESS_DIRECTIONS, c->x.direction = c->around;
     return s;
 }

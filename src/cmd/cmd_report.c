@@ -22,6 +22,7 @@ static const struct wf_option options[] = {
     WF_LANGUAGE_ROW(pages.lang),
     WF_UNITS_ROW(pages.units),
     WF_TEMPLATE_ROW(pages),
+    WF_DOCX_ROW(pages),
     WF_QUIET_ROW,
     { 0 },
 };

@@ -265,9 +265,9 @@ enum wf_status wf_results_draw(const struct wf_run_folder *r, const struct wf_pa
 {
     struct wf_diag found = { .arena = d->arena };
     wf_stage_begin(0, false, "drawing plots and pages");
-    const struct wf_page_style style = { .language = pages->lang,
-                                         .units = pages->units,
-                                         .templates = pages->templates };
+    const struct wf_page_style style = {
+        .language = pages->lang, .units = pages->units, .templates = pages->templates, .docx = pages->docx
+    };
     enum wf_status s = wf_report_make(r->stage, &style, pages->no_pdf ? NULL : printer, &found, e);
     wf_progress_clear();
     wf_run_plain(r, e->text);

@@ -88,6 +88,7 @@ struct wf_pages {
     const char *templates; /* folder of templates of the page; NULL: the shipped ones    */
     bool none;             /* neither is made                                               */
     bool xlsx;             /* tables also as a workbook                                     */
+    bool docx;             /* the page also for a word processor                            */
     bool no_pdf;           /* the page is made for the screen alone; it can be printed later */
 };
 

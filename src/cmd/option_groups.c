@@ -9,6 +9,7 @@
 #include "grow/outline_svg.h"
 #include "grow/silhouette.h"
 #include "load/interception.h"
+#include "out/docx.h"
 #include "out/template.h"
 #include "solve/solve.h"
 #include "study/peak.h"
@@ -209,6 +210,13 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 {
     const struct wf_pages *p = (const void *)((const char *)options + o->group);
     return wf_option_unused(p->none, why, "without a page");
+}
+
+bool wf_docx_row_wrong(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_pages *p = (const void *)((const char *)options + o->group);
+    struct wf_err e = { 0 };
+    return p->docx && wf_option_unused(wf_docx_possible(&e) != WF_OK, why, "%s", e.text);
 }
 
 bool wf_template_row_wrong(const void *options, const struct wf_option *o, char *why)

@@ -46,10 +46,14 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 #define WF_NO_PDF_ROW(in)                                                                                    \
     FLAG("--no-pdf", in.no_pdf, "leave out the PDF of the page; 'windfirm report' prints it later",          \
          .group = WF_MEMBER(in, struct wf_pages), .unused = wf_pages_row_unused)
+bool wf_docx_row_wrong(const void *options, const struct wf_option *o, char *why);
+#define WF_DOCX_ROW(in)                                                                                      \
+    FLAG("--docx", in.docx, "write the page also for a word processor, PAGE.docx, by pandoc",                \
+         .group = WF_MEMBER(in, struct wf_pages), .unused = wf_pages_row_unused, .wrong = wf_docx_row_wrong)
 #define WF_XLSX_ROW(in) FLAG("--xlsx", in.xlsx, "write the tables also as one workbook, tables/tables.xlsx")
 #define WF_PAGE_ROWS(no, in, help)                                                                           \
     FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_XLSX_ROW(in), WF_LANGUAGE_ROW(in.lang),                   \
-        WF_UNITS_ROW(in.units), WF_TEMPLATE_ROW(in)
+        WF_UNITS_ROW(in.units), WF_TEMPLATE_ROW(in), WF_DOCX_ROW(in)
 
 /* Head of a report for a client; into a struct wf_job. */
 #define WF_JOB_ROWS(in)                                                                                      \

@@ -93,6 +93,11 @@ enum wf_status wf_tree_stand(struct wf_tree *t, const struct wf_tree *worn, stru
 void wf_tree_copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
                        size_t at);
 
+/* The same with those columns of bark, sections, cavities and masses that another tree has; its name,
+ * anchorage and room. */
+enum wf_status wf_tree_alloc_like(const struct wf_tree *like, size_t n, struct wf_arena *a,
+                                  struct wf_tree *out, struct wf_err *e);
+
 /* Allocate columns of sections for the tree's n rows, zeroed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
 /* The same for the columns of bark, and for those of cavities. */

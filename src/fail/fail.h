@@ -152,6 +152,7 @@ struct wf_criterion {
     bool loses_tree;   /* the tree is lost where the stem fails by it, so that it can make the headline */
     double required;   /* safety that practice wants [-]; 0: 1 */
     bool whole;        /* of the whole tree: it belongs to the row of its root */
+    bool shape;        /* of positions or turns, whose error is not that of sums of loads */
     const struct wf_section_rule *section; /* criterion of sections; NULL: of the whole tree */
     /* Where `section` is NULL: is the resistance of a row known? Ask wf_criterion_knows. */
     bool (*known)(const struct wf_tree *t, size_t row);

@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "base/text.h"
 #include "out/doc.h"
+#include "out/docx.h"
 #include "out/figures.h"
 #include "out/job.h"
 #include "out/live.h"
@@ -52,6 +53,9 @@ struct job {
     xmlDoc *document; /* <report lang="en"><results/><css/><figures/></report>, what every stylesheet reads */
     xmlNode *figures;
     struct wf_printer *printer; /* NULL: no PDF */
+    bool docx;
+    struct wf_figure *drawn; /* figures of the page by gnuplot; kept for the document alone */
+    size_t figures_drawn;
     struct wf_diag *d;
     struct wf_err *e;
     enum wf_status first; /* of the parts that could not be made */
@@ -216,6 +220,17 @@ static enum wf_status add_figure(struct job *j, const char *name, xmlDoc *svg, c
     return WF_OK;
 }
 
+/* A figure that was drawn, for PAGE.docx. */
+static enum wf_status keep_figure(struct job *j, const struct wf_figure *g)
+{
+    if (!j->docx) return WF_OK;
+    struct wf_figure *more = realloc(j->drawn, (j->figures_drawn + 1) * sizeof *more);
+    if (!more) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
+    j->drawn = more;
+    j->drawn[j->figures_drawn++] = *g;
+    return WF_OK;
+}
+
 /* Draw figures and add them to the document, WF_FIGURES_MAX at once. */
 static enum wf_status draw_figures(struct job *j, const struct wf_figure *g, size_t n)
 {
@@ -229,6 +244,7 @@ static enum wf_status draw_figures(struct job *j, const struct wf_figure *g, siz
         code = check_interrupt(j);
         for (size_t k = 0; k < some; k++) {
             if (why[k].code && !code) miss(j, "no-figure", &why[k]);
+            if (!code && !why[k].code) code = keep_figure(j, &g[first + k]);
             if (!code)
                 code = add_figure(j, g[first + k].name, svg[k], &why[k]);
             else
@@ -383,6 +399,7 @@ static enum wf_status write_html(struct job *j, const char *html)
     bool whole = j->turned || j->templates; /* the page is looked at when it is whole, before it is written */
     char style[WF_PATH_MAX], name[64];
     struct wf_file f = { 0 };
+    struct wf_err why = { 0 };
     xmlDoc *page;
     snprintf(name, sizeof name, "%s.xsl", j->kind->page);
     enum wf_status code = wf_template_path(j->templates, name, style, j->e);
@@ -392,6 +409,9 @@ static enum wf_status write_html(struct job *j, const char *html)
     if (!code && j->templates) code = clean_page(j, page);
     if (!code && whole) code = wf_page_turn(j->units, page, f.stream, j->e);
     if (!code) code = wf_file_commit(&f, j->e);
+    if (!code && j->docx &&
+        wf_docx_make(j->folder, j->kind->page, page, j->drawn, j->figures_drawn, j->language, &why))
+        miss(j, "no-docx", &why);
     if (page) xmlFreeDoc(page);
     wf_file_abandon(&f);
     return code;
@@ -427,6 +447,7 @@ enum wf_status wf_report_make(const char *folder, const struct wf_page_style *st
                      .language = style && style->language ? style->language : "en",
                      .units = style && style->units ? style->units : "metric",
                      .templates = style ? style->templates : NULL,
+                     .docx = style && style->docx,
                      .printer = printer,
                      .d = d,
                      .e = e,
@@ -446,5 +467,6 @@ enum wf_status wf_report_make(const char *folder, const struct wf_page_style *st
     if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);
     json_decref(j.results);
+    free(j.drawn);
     return code ? code : j.first;
 }

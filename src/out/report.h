@@ -4,6 +4,7 @@
 /* The page maker: figures and pages of any results folder, made from its results.json, tables/ and plots/
  * alone. */
 #include "base/err.h"
+#include <stdbool.h>
 
 struct wf_printer;
 
@@ -12,6 +13,7 @@ struct wf_page_style {
     const char *language;  /* "en" or "zh"; NULL: "en"                                             */
     const char *units;     /* "metric", "imperial" or "cn" (out/page_units.h); NULL: "metric"      */
     const char *templates; /* a folder of the user's (out/template.h); NULL: the shipped ones */
+    bool docx;             /* also as PAGE.docx (out/docx.h) */
 };
 
 /* Draw FOLDER/plots/ *.svg (gnuplot), and write FOLDER/PAGE.html (XSLT) and, with a printer (out/printer.h;

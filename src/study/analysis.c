@@ -11,6 +11,7 @@
 #include "load/winter.h"
 #include "study/guy.h"
 #include "study/node.h"
+#include "study/removal.h"
 #include "study/rest.h"
 #include "study/sway.h"
 #include "study/unions.h"
@@ -121,7 +122,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
-    if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
+    if (s || (s = wf_tree_check(&an->tree, d, e)) || (s = wf_removal_onto(an, a, e))) return s;
     if (an->misread) wf_tree_scale(&an->tree, an->misread->height, an->misread->radius);
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
