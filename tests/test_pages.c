@@ -84,6 +84,23 @@ static void what_governs_is_said(void **state)
           "$T/a",
           CODE_INPUT,
           { "--node-spacing: 0cm is outside 1..500 cm" } },
+        { "for m in moso_branched broadleaf; do $W analyze oak --model $m --wind 10 --samples 0 --no-report "
+          "-o $T/a "
+          "2>&1 | grep -c 'twig-leaves.*2.1 m2 on each cm2'; done; true",
+          CODE_OK,
+          { "1\n0\n" } },
+        { "printf 'phi_deg,moment_kNm\\n0,0\\n1,40\\n2,%s\\n3,60\\n4,50\\n' 37 >$T/a.csv; sed 's/37/35/' "
+          "$T/a.csv "
+          ">$T/b.csv; for f in a b; do $W analyze oak $M --wind 10 --tipping-curve $T/$f.csv --samples 0 "
+          "--no-report "
+          "-o $T/a 2>&1 | grep -c 'falls from 40 to 35 kN m before its largest moment, 60 kN m'; done; true",
+          CODE_OK,
+          { "0\n1\n" } },
+        { "sed '/^    modulus_of_rupture: {value: 59/,+1d' species/oak.yaml >$T/o.yaml; $W analyze $T/o.yaml "
+          "$M --wind "
+          "20 --samples 0 --no-report -o $T/a",
+          CODE_OK,
+          { "     elastic-limit ", "not assessed: breakage (the species has no modulus_of_rupture)" } },
         { "$W analyze oak $M --wind 10 --crown-form triangle --samples 0 --no-report -o $T/a",
           CODE_INPUT,
           { "--crown-form needs --crown-width and --crown-depth" } },

@@ -618,7 +618,11 @@ static void print_criteria(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_branch_strength *b = an->branch_strength;
     const struct wf_at_speed *at = wf_verdict_wind(an);
-    if (!at || !wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_STEM)) return;
+    bool known = false;
+    for (int c = 0; c < WF_CRITERIA; c++)
+        known = known ||
+                (wf_criteria[c].section && wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_STEM));
+    if (!at || !known) return;
     wf_show(to,
             "\n  Stem by criteria; safety, place and stresses at %.6g m/s\n%18s%9s%8s%14s%8s%8s%10s%10s\n",
             at->speed, "", "safety", "wanted", "critical m/s", "gust", "at m", "stress", "bears MPa");

@@ -4,9 +4,11 @@
 /* All elements of a tree together: sweeps up and down the tree, Newton's method, and what to do when Newton
  * stalls. */
 #include "solve/beam_element.h"
+#include "solve/beam_groups.h"
 
 struct wf_beam {
     struct wf_beam_mesh mesh;
+    struct wf_beam_groups groups; /* of elements that are computed side by side */
     struct wf_loads loads; /* a copy: load steps change its scale factors */
     const struct wf_solve_options *options;
     double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */

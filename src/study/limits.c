@@ -226,6 +226,36 @@ static void check_diaphragms(const struct wf_analysis *an, struct wf_diag *d)
         an->species->name, t->node_spacing, times);
 }
 
+/* Of a row and all that grows on it [m2]. */
+static double leaves_on(const struct wf_tree *t, size_t row)
+{
+    double sum = 0;
+    for (size_t i = row; i < t->n; i++) {
+        int32_t at = (int32_t)i;
+        while (at > (int32_t)row) at = t->parent[at]; /* parents come first */
+        if (at == (int32_t)row) sum += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
+    }
+    return sum;
+}
+
+/* A twig that breaks first because the leaves of many are on the few that are drawn. */
+static void check_twig(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const double most = 1e4; /* leaves over wood that real shoots have, a rule of ours [m2 m-2] */
+    const struct wf_break *b = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    const struct wf_tree *t = &an->tree;
+    if (b->row < 0 || t->level[b->row] == 0) return;
+    size_t twig = (size_t)b->row;
+    double thickness = 2 * fmax(t->r0[twig], t->r1[twig]), leaves = leaves_on(t, twig);
+    double wood = wf_ring_area(0.5 * thickness, 0);
+    if (!(thickness < an->search.branches_from) || !(leaves > most * wood)) return;
+    wf_diag_warn(d, "twig-leaves",
+                 "%s: the twig that breaks first, %.3g mm thick, carries %.2g m2 of leaves, %.2g m2 on each "
+                 "cm2 of its wood; shoots carry up to about 1 (a rule). The leaves of many twigs are on the "
+                 "few that are drawn: that it breaks in so weak a wind is an artefact",
+                 an->model->name, 1e3 * thickness, leaves, 1e-4 * leaves / wood);
+}
+
 void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d)
 {
     const double linear = 0.25 / DEGREES;
@@ -347,6 +377,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_unverified(an, d);
     check_size(an, d);
     check_diaphragms(an, d);
+    check_twig(an, d);
     check_as_printed(an, d);
     check_assumed(an, d);
 }
