@@ -88,11 +88,53 @@ static enum wf_status open_sway(struct sway *s, struct wf_beam *b, struct wf_are
     return WF_OK;
 }
 
+enum { FOURS = 4 }; /* vectors whose products with another are summed at once */
+
+/* Products of w with v[0], v[1], ... v[FOURS - 1], in four partial sums each. */
+WF_WIDE static void dots(const double *w, const double *const v[FOURS], size_t n, double out[FOURS])
+{
+    wf_four sum[FOURS] = { { 0 } };
+    size_t i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < FOURS; k++) sum[k] += *(const wf_four *)(w + i) * *(const wf_four *)(v[k] + i);
+    for (int k = 0; k < FOURS; k++) {
+        out[k] = (sum[k][0] + sum[k][1]) + (sum[k][2] + sum[k][3]);
+        for (size_t r = i; r < n; r++) out[k] += w[r] * v[k][r];
+    }
+}
+
 static double dot(const double *a, const double *b, size_t n)
 {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
+    const double *const v[FOURS] = { b, b, b, b };
+    double out[FOURS];
+    dots(a, v, n, out);
+    return out[0];
+}
+
+/* w -= part[k] v[k] */
+WF_WIDE static void take_out(double *w, const double *const v[FOURS], const double part[FOURS], size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        w[i] -= (part[0] * v[0][i] + part[1] * v[1][i]) + (part[2] * v[2][i] + part[3] * v[3][i]);
+}
+
+/* Take the parts along v[0] .. v[n - 1], of unit norm and at right angles, out of w; they are added to column
+ * `column` of T, whose rows are `width` long. */
+static void take_out_all(double *w, double *const *v, size_t n, size_t size, double *T, size_t width,
+                         size_t column)
+{
+    for (size_t from = 0; from < n; from += FOURS) {
+        const double *four[FOURS];
+        double part[FOURS];
+        for (size_t k = 0; k < FOURS; k++) four[k] = v[from + k < n ? from + k : from];
+        dots(w, four, size, part);
+        for (size_t k = 0; k < FOURS; k++)
+            if (from + k < n)
+                T[(from + k) * width + column] += part[k];
+            else
+                part[k] = 0;
+        take_out(w, four, part, size);
+    }
 }
 
 /* Motion along `to` by 1, or where `turning` by the height above the ground, as in turning about the base by
@@ -320,12 +362,7 @@ static enum wf_status ritz_space(struct ritz *r, struct wf_arena *work, struct w
         if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
         apply_once(&r->s, r->v[j], w);
         double before = sqrt(dot(w, w, size));
-        for (int twice = 0; twice < 2; twice++)
-            for (size_t k = 0; k <= j; k++) {
-                double part = dot(w, r->v[k], size);
-                r->T[k * RITZ_MAX + j] += part;
-                for (size_t i = 0; i < size; i++) w[i] -= part * r->v[k][i];
-            }
+        for (int twice = 0; twice < 2; twice++) take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
         r->n = j + 1;
         double left = sqrt(dot(w, w, size));
         if (!(left > 1e-12 * before)) break;
