@@ -353,24 +353,6 @@ static void apply_once(struct sway *s, const double *in, double *out)
     for (size_t i = 0; out && i < s->size; i++) out[i] = s->x[i][0];
 }
 
-/* Extend the space until it is invariant or full. */
-static enum wf_status ritz_space(struct ritz *r, struct wf_arena *work, struct wf_err *e)
-{
-    const size_t size = r->s.size;
-    for (size_t j = 0; j < RITZ_MAX; j++) {
-        double *w = r->v[j + 1] = WF_TAKE(work, size, double);
-        if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-        apply_once(&r->s, r->v[j], w);
-        double before = sqrt(dot(w, w, size));
-        for (int twice = 0; twice < 2; twice++) take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
-        r->n = j + 1;
-        double left = sqrt(dot(w, w, size));
-        if (!(left > 1e-12 * before)) break;
-        for (size_t i = 0; i < size; i++) w[i] /= left;
-    }
-    return WF_OK;
-}
-
 /* Eigenvalues and eigenvectors (columns of Q) of the projected operator. */
 static enum wf_status ritz_pairs(struct ritz *r, struct wf_err *e)
 {
@@ -415,6 +397,44 @@ static int widest_band(const struct ritz *r, double width, struct wf_modes_sway 
     return best;
 }
 
+/* Are the vectors of the widest band those of the whole tree? The residual of Ritz vector i is `left` times
+ * its last number (Parlett 1998, The Symmetric Eigenvalue Problem, section 13.2). A band with more than half
+ * of the turn stays the widest. */
+static bool band_settled(const struct ritz *r, double left, double width)
+{
+    const double enough = 1e-10;
+    struct wf_modes_sway band;
+    int middle = widest_band(r, width, &band);
+    if (middle < 0 || !(band.share > 0.5)) return false;
+    for (size_t i = 0; i < r->n; i++)
+        if (in_band(r, (size_t)middle, i, width) &&
+            !(left * fabs(r->Q[(r->n - 1) * r->n + i]) <= enough * r->value[i]))
+            return false;
+    return true;
+}
+
+/* Extend the space until its widest band is settled, or it is invariant or full. */
+static enum wf_status ritz_space(struct ritz *r, double width, struct wf_arena *work, struct wf_err *e)
+{
+    const size_t size = r->s.size;
+    for (size_t j = 0; j < RITZ_MAX; j++) {
+        double *w = r->v[j + 1] = WF_TAKE(work, size, double);
+        if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+        apply_once(&r->s, r->v[j], w);
+        double before = sqrt(dot(w, w, size));
+        for (int twice = 0; twice < 2; twice++) take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
+        r->n = j + 1;
+        double left = sqrt(dot(w, w, size));
+        bool done = !(left > 1e-12 * before) || r->n == RITZ_MAX;
+        if (done || r->n % 2 == 0) {
+            enum wf_status s = ritz_pairs(r, e);
+            if (s || done || band_settled(r, left, width)) return s;
+        }
+        for (size_t i = 0; i < size; i++) w[i] /= left;
+    }
+    return WF_OK;
+}
+
 /* Displacements of the rows' ends in the band's part of the rigid turn: the response to its inertia, of
  * which the Ritz value is the ratio to it. */
 static void band_shape(struct ritz *r, size_t middle, double width, double inertia, double *motion,
@@ -439,8 +459,7 @@ static enum wf_status find_sway(struct ritz *r, const double to[3], double width
     if (!(r->v[0] = WF_TAKE(work, r->s.size, double)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     out->inertia = rigid_motion(&r->s, to, true, r->v[0]);
-    enum wf_status s = ritz_space(r, work, e);
-    if (!s) s = ritz_pairs(r, e);
+    enum wf_status s = ritz_space(r, width, work, e);
     if (s) return s;
     int middle = widest_band(r, width, out);
     if (middle < 0) return wf_fail(e, WF_EUNSTABLE, "no stable sway of the tree");
