@@ -93,7 +93,7 @@ static void cards(void **state)
             "soil 0.42–0.55 1.5 " } },
         { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
           CODE_OK,
-          { "Tree is lost at 23 m/", "15 to 41 m/", "once in 11.6 years",
+          { "Tree is lost at 23 m/", "15 to 41 m/", "once in 12 years",
             "it breaks may be too high. Limbs, forks and unions" } },
     };
     CHECK(rows);
