@@ -30,7 +30,7 @@ LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 # Debian packages: to build and to draw; and for tests alone
 PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev zlib1g-dev libxlsxwriter-dev libjpeg-dev libpng-dev \
             g++ libceres-dev libeigen3-dev libgoogle-glog-dev gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei
-TEST_PACKAGES := libcmocka-dev poppler-utils gdb python3-jsonschema python3-yaml chromium
+TEST_PACKAGES := libcmocka-dev poppler-utils gdb python3-jsonschema python3-yaml chromium pandoc
 
 SRC    := $(wildcard src/*.c src/*/*.c)
 # where species, models and templates are is compiled into these alone; `make install` compiles them a second time

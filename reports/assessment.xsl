@@ -46,6 +46,23 @@
             <xsl:otherwise><xsl:value-of select="format-number($ten * round($x div $ten), '#,##0')"/></xsl:otherwise>
           </xsl:choose>
         </xsl:with-param>
+        <xsl:with-param name="b">
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">
+              <xsl:choose>
+                <xsl:when test="$a/return_period_by != ''">as.years.extremes</xsl:when>
+                <xsl:otherwise>as.years.code</xsl:otherwise>
+              </xsl:choose>
+            </xsl:with-param>
+          </xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+      <xsl:text> </xsl:text>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">as.years.chance</xsl:with-param>
+        <xsl:with-param name="a" select="$a/exceedance_a_year_text"/>
+        <xsl:with-param name="b" select="$a/exceedance_over_life_text"/>
+        <xsl:with-param name="c" select="$a/life_years"/>
       </xsl:call-template>
     </xsl:when>
     <xsl:otherwise><xsl:call-template name="say">

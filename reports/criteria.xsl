@@ -111,6 +111,8 @@
   <xsl:if test="$stem[criterion = 'splitting' and outcome != 'no-strength']">
     <xsl:for-each select="$stem[(criterion = 'breakage' or criterion = 'splitting' or criterion = 'ovalisation') and
       winds/item[$k]/safety/value != '']">
+      <xsl:sort select="number(not(outcome = 'found' or outcome = 'self-weight'))" data-type="number"/>
+      <xsl:sort select="critical_speed/value" data-type="number"/>
       <xsl:sort select="winds/item[$k]/safety/value" data-type="number"/>
       <xsl:if test="position() = 1">
         <xsl:value-of select="$gap"/>
@@ -155,6 +157,13 @@
       <xsl:with-param name="c" select="format-number($f/high div 1e6, '0.##')"/>
     </xsl:call-template>
   </xsl:if>
+  <xsl:value-of select="$gap"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">
+      <xsl:text>t.criteria.nodes</xsl:text><xsl:if test="not(scenario/node_spacing/value != '')">.none</xsl:if>
+    </xsl:with-param>
+    <xsl:with-param name="a" select="format-number(scenario/node_spacing/value * 100, '0.#')"/>
+  </xsl:call-template>
 </xsl:template>
 
 <xsl:template name="criteria-table">

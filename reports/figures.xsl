@@ -4,6 +4,7 @@
      checks and writes. A row holds a number, or a text where it says so. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 <xsl:import href="words.xsl"/>
+<xsl:variable name="units" select="/.."/>
 <xsl:output method="xml" encoding="UTF-8"/>
 
 <xsl:template name="number-row">

@@ -20,6 +20,14 @@
     parent.appendChild(x);
     return x;
   }
+  /* a number of the results in the units of the page, and what they are called */
+  function unit(name) { return data.units[name] || [1, name]; }
+  var measured = { speed: 'm/s', gust: 'm/s', tip: 'm', moment: 'kN m' };
+  function shown(key, x) { return measured[key] && x !== null ? unit(measured[key])[0] * x : x; }
+  function wind(w) { return number(shown('speed', w ? w.speed : 0)) + ' ' + unit('m/s')[1]; }
+  Object.keys(measured).forEach(function (key) {
+    box.querySelector('[data-key=' + key + ']').nextSibling.textContent = ' ' + unit(measured[key])[1];
+  });
   /* three significant digits, as in the tables */
   function number(x) {
     if (x === null || x === undefined) { return '–'; }
@@ -53,22 +61,23 @@
     var thin = 0.004 * top;
     var lost = w && tree.lost !== null && w.speed > tree.lost;
     while (svg.lastChild) { svg.removeChild(svg.lastChild); }
-    var step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100].filter(function (s) { return s >= top / 6; })[0] || top;
-    for (var z = 0; z <= top; z += step) {
+    var scale = unit('m')[0];
+    var step = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100].filter(function (s) { return s >= scale * top / 6; })[0] || scale * top;
+    for (var tick = 0, z = 0; z <= top; tick += step, z = tick / scale) {
       put(svg, 'line', { x1: low - 0.4 * edge, x2: high, y1: -z, y2: -z, stroke: '#ddd', 'stroke-width': thin / 2 });
       put(svg, 'text', { x: low - 0.5 * edge, y: -z + 0.015 * top, 'font-size': 0.045 * top, 'text-anchor': 'end', fill: '#444' },
-        Number(z.toFixed(2)) + (z ? '' : ' m'));
+        Number(tick.toFixed(2)) + (tick ? '' : ' ' + unit('m')[1]));
     }
     put(svg, 'path', { d: path(tree.still), fill: 'none', stroke: '#888', 'stroke-width': thin, 'stroke-dasharray': 4 * thin });
     put(svg, 'path', { d: path(w ? w.axes : tree.still), fill: 'none', stroke: lost ? '#D55E00' : '#0072B2',
       'stroke-width': 2 * thin, 'stroke-linejoin': 'round', 'class': 'bent' });
-    svg.setAttribute('aria-label', (w ? number(w.speed) : '0') + ' m/s');
+    svg.setAttribute('aria-label', wind(w));
     ['speed', 'gust', 'tip', 'moment', 'breakage', 'safety'].forEach(function (key) {
-      box.querySelector('[data-key=' + key + ']').textContent = w ? number(w[key]) : key === 'breakage' || key === 'safety' ? '–' : '0';
+      box.querySelector('[data-key=' + key + ']').textContent = w ? number(shown(key, w[key])) : key === 'breakage' || key === 'safety' ? '–' : '0';
     });
     box.querySelector('.beyond').hidden = !lost;
     slider.value = at;
-    slider.setAttribute('aria-valuetext', (w ? number(w.speed) : '0') + ' m/s');
+    slider.setAttribute('aria-valuetext', wind(w));
   }
   function take(t) {
     tree = data.trees[t];

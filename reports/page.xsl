@@ -248,7 +248,9 @@
       <xsl:when test="kind = 'grade'">
         <xsl:call-template name="say">
           <xsl:with-param name="id">ws.grade</xsl:with-param>
-          <xsl:with-param name="a" select="$p[1]/text"/>
+          <xsl:with-param name="a">
+            <xsl:call-template name="as-typed"><xsl:with-param name="text" select="$p[1]/text"/></xsl:call-template>
+          </xsl:with-param>
           <xsl:with-param name="b">
             <xsl:call-template name="term">
               <xsl:with-param name="id" select="concat('grade.', $p[2]/text)"/><xsl:with-param name="otherwise" select="$p[2]/text"/>
@@ -277,7 +279,10 @@
               <xsl:with-param name="a" select="$p[1]/text"/>
             </xsl:call-template>
           </xsl:with-param>
-          <xsl:with-param name="b" select="$p[2]/text"/><xsl:with-param name="c" select="$p[3]/text"/>
+          <xsl:with-param name="b">
+            <xsl:call-template name="as-typed"><xsl:with-param name="text" select="$p[2]/text"/></xsl:call-template>
+          </xsl:with-param>
+          <xsl:with-param name="c" select="$p[3]/text"/>
           <xsl:with-param name="d" select="$p[4]/text"/><xsl:with-param name="e" select="$p[5]/text"/>
           <xsl:with-param name="f" select="$p[6]/text"/>
           <xsl:with-param name="g">

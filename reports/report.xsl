@@ -292,6 +292,48 @@
   </table>
 </xsl:template>
 
+<!-- Trees without some of their branches, beside themselves. -->
+<xsl:template name="removals-table">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">rm.caption</xsl:with-param></xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">c.br.tree;c.rm.without;as.c.cut:%;c.wt.drag:kN;c.rm.weight:kN;
+        c.wt.moment:kN m;c.rm.safety:;c.wt.critical:m/s</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="$trees/removals/item">
+        <tr>
+          <td><xsl:if test="position() = 1"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if></td>
+          <td><xsl:value-of select="name"/></td>
+          <td class="r">
+            <xsl:value-of select="format-number(100 * cut, '0')"/><xsl:if test="flagged = 'true'">&#160;!</xsl:if>
+          </td>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="drag/value div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="weight/value div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="base_moment/value div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="safety/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:choose>
+            <xsl:when test="searched_to/value"><td class="r">&gt;&#160;<xsl:value-of select="searched_to/value"/></td></xsl:when>
+            <xsl:otherwise>
+              <xsl:call-template name="cell">
+                <xsl:with-param name="x" select="critical_speed/value"/><xsl:with-param name="pattern">0.0</xsl:with-param>
+              </xsl:call-template>
+            </xsl:otherwise>
+          </xsl:choose>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
 <!-- Cables that hold a tree. -->
 <xsl:template name="guys-table">
   <table class="data">
@@ -421,6 +463,7 @@
         <xsl:if test="$trees/unions"><xsl:call-template name="union-tables"/></xsl:if>
         <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
+        <xsl:if test="$trees/removals/item"><xsl:call-template name="removals-table"/></xsl:if>
         <xsl:if test="$trees/guys/item"><xsl:call-template name="guys-table"/></xsl:if>
         <xsl:if test="$trees/winter">
           <xsl:call-template name="wetted-table"><xsl:with-param name="of">winter</xsl:with-param></xsl:call-template>

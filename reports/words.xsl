@@ -10,6 +10,8 @@
   <xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template>
 </xsl:variable>
 <xsl:variable name="trees" select="/report/results/trees/item"/>
+<!-- other units than metric: numbers are marked, for out/page_units.h, which turns them with their units -->
+<xsl:variable name="units" select="/report/@units"/>
 <xsl:variable name="degrees" select="57.29577951308232"/>
 
 <!-- A sentence with up to eight things put in. -->
@@ -78,12 +80,14 @@
     <xsl:when test="string(number($x)) = 'NaN'">–</xsl:when>
     <xsl:otherwise>
       <xsl:variable name="text" select="format-number($x, $pattern)"/>
+      <xsl:if test="$units"><xsl:value-of select="concat('&#xE000;', $x, '&#xE001;')"/></xsl:if>
       <xsl:choose>
         <xsl:when test="starts-with($text, '-') and number(translate($text, ',', '')) = 0">
           <xsl:value-of select="substring($text, 2)"/>
         </xsl:when>
         <xsl:otherwise><xsl:value-of select="translate($text, '-', '−')"/></xsl:otherwise>
       </xsl:choose>
+      <xsl:if test="$units">&#xE002;</xsl:if>
     </xsl:otherwise>
   </xsl:choose>
 </xsl:template>
@@ -147,6 +151,12 @@
   </xsl:call-template>
 </xsl:template>
 
+<!-- A text that stays as somebody typed it, whatever the units of the page. -->
+<xsl:template name="as-typed">
+  <xsl:param name="text"/>
+  <xsl:if test="$units">&#xE003;</xsl:if><xsl:value-of select="$text"/><xsl:if test="$units">&#xE004;</xsl:if>
+</xsl:template>
+
 <!-- The 3-s gust of a named mean wind, where it is measured. -->
 <xsl:template name="gust">
   <xsl:param name="x"/>
@@ -186,6 +196,14 @@
   <xsl:for-each select="$items">
     <xsl:choose>
       <xsl:when test="position() = 1"/>
+      <xsl:when test="$units and position() = last()">
+        <xsl:text>&#xE005;</xsl:text>
+        <xsl:call-template name="say"><xsl:with-param name="id">list.last</xsl:with-param></xsl:call-template>
+      </xsl:when>
+      <xsl:when test="$units">
+        <xsl:text>&#xE005;</xsl:text>
+        <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template>
+      </xsl:when>
       <xsl:when test="position() = last()">
         <xsl:call-template name="say"><xsl:with-param name="id">list.last</xsl:with-param></xsl:call-template>
       </xsl:when>

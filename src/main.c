@@ -40,6 +40,7 @@ static void occupy_closed(void)
  * the exit code. */
 static int finish(int code)
 {
+    wf_show_in(NULL);
     bool bad = ferror(stdout) || fflush(stdout);
     int reason = bad ? wf_stream_reason(stdout) : 0;
     errno = 0;

@@ -12,6 +12,7 @@
 #include "study/interval.h"
 #include "study/verdict.h"
 #include "wind/design.h"
+#include "wind/extreme.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -399,11 +400,51 @@ static void how_often(void **state)
     assert_true(isnan(wf_design_years(&w, 1, &side)));
 }
 
+/* Gumbel's distribution of the squared speed, by hand: p = 1 - exp(-exp(-(v^2 - mode) / scale)); over n years
+ * 1 - (1 - p)^n; the band by its table; a wind so rare that nothing says how rare; winds named elsewhere. */
+static void by_extremes(void **state)
+{
+    (void)state;
+    static const double years[] = { 10, 100, 1000 }, low[] = { 18, 22, 26 }, high[] = { 22, 28, 34 };
+    struct tree t;
+    begin(&t, "oak", &disc_card);
+    idealise(&t);
+    run(&t, 30, 0);
+    const struct wf_critical *c =
+        &wf_verdict_of((const struct wf_break(*)[WF_SCOPES])t.an.breaks).loss->critical;
+    double v = c->speed, p;
+    struct wf_extreme x = { .mode = 300, .scale = v * v / 12, .squared = true };
+    struct wf_assess_often q = { .extreme = &x, .source = "here", .life = 20 };
+    assert_int_equal(c->outcome, WF_CRITICAL_FOUND);
+    p = 1 - exp(-exp(-(v * v - 300) / x.scale));
+    must(&t, wf_assess(&t.an, &t.options, 1.5, &q, &t.x, &t.err));
+    assert_close(t.x.exceedance, p, 1e-9);
+    assert_close(t.x.years, 1 / p, 1e-9);
+    assert_close(t.x.over_life, 1 - pow(1 - p, 20), 1e-9);
+    assert_true(isnan(t.x.years_low) && !t.x.years_most && !t.x.years_unknown);
+    q.levels = 3, q.years = years, q.low = low, q.high = high;
+    must(&t, wf_assess(&t.an, &t.options, 1.5, &q, &t.x, &t.err));
+    assert_true(isinf(t.x.years_low) && isinf(t.x.years_high)); /* v is above all of the band */
+    double scaled[2][3];
+    for (int k = 0; k < 3; k++) scaled[0][k] = v * (0.8 + 0.1 * k), scaled[1][k] = v * (0.9 + 0.2 * k);
+    q.low = scaled[0], q.high = scaled[1];
+    must(&t, wf_assess(&t.an, &t.options, 1.5, &q, &t.x, &t.err));
+    assert_close(t.x.years_low, 10 * pow(10, 0.5), 1e-9); /* between 0.9 v and 1.1 v */
+    assert_close(t.x.years_high, 1000, 1e-6);             /* at 1.0 v */
+    x.scale = v * v / 40;
+    must(&t, wf_assess(&t.an, &t.options, 1.5, &q, &t.x, &t.err));
+    assert_true(t.x.years_most && t.x.years == 1e6 && t.x.exceedance < 1e-6 && t.x.exceedance > 0);
+    t.an.scenario.named.height = 20, t.an.scenario.named.terrain = t.an.scenario.category;
+    must(&t, wf_assess(&t.an, &t.options, 1.5, &q, &t.x, &t.err));
+    assert_true(isnan(t.x.years) && t.x.years_unknown);
+    end(&t);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(disc),     cmocka_unit_test(cavity),
-                                        cmocka_unit_test(changes),  cmocka_unit_test(arborists),
-                                        cmocka_unit_test(made_up),  cmocka_unit_test(word),
-                                        cmocka_unit_test(how_often) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(disc),      cmocka_unit_test(cavity),
+                                        cmocka_unit_test(changes),   cmocka_unit_test(arborists),
+                                        cmocka_unit_test(made_up),   cmocka_unit_test(word),
+                                        cmocka_unit_test(how_often), cmocka_unit_test(by_extremes) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -129,9 +129,21 @@ static void scenarios(void **state)
         { "$W assess models/cards/oak.yaml --samples 0 --guy 25m:8m:270deg:400kN/m",
           CODE_INPUT,
           { "--guy: the stem does not reach 25 m" } },
-        { "$W analyze oak --model models/oak_20m.yaml --wind 20 --solver chain --guy 9m:8m:1deg:1kN/m -o $T/x",
+        { "$W analyze oak --model models/oak_20m.yaml --wind 20 --solver chain --guy 9m:8m:1deg:1kN/m -o "
+          "$T/x",
           CODE_INPUT,
           { "--guy", "with the solver 'chain'" } },
+        /* a thin wall splits before the wood breaks: that is the critical wind, and none is beyond the search
+         */
+        { "$W assess --species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --cavity "
+          "1.3m:25mm --wind 30 --samples 0",
+          CODE_OK,
+          { "critical wind: 20.1 m/s mean (72 km/h), 3-s gust 30.6 m/s, at 10 m over terrain II; the tree "
+            "splits" } },
+        { "$W assess --species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --cavity "
+          "1.3m:25mm --wind 30 --samples 0 2>&1 | grep -c critical-above-range; true",
+          CODE_OK,
+          { "0\n" } },
         { "$W assess models/cards/oak.yaml --root-loss 100%; $W assess models/cards/oak.yaml --root-loss "
           "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4",
           CODE_INPUT,
@@ -152,6 +164,48 @@ static void scenarios(void **state)
         { "printf 'species\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --thin 10% --wind 20",
           CODE_INPUT,
           { "--thin: has no effect with a table of trees" } },
+    };
+    CHECK(rows);
+}
+
+/* How often the critical wind blows: by the code, by annual maxima, and by the fit of these, which is the
+ * same.
+ */
+static void how_often(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W assess models/cards/oak.yaml --samples 0 --life 50",
+          CODE_OK,
+          { "about 11.5 years by EN 1991-1-4", "0.087 a year, 0.99 in 50 years" } },
+        { "$W wind extremes --annual docs/examples/annual.csv -o $T/ex --no-plots -q; for x in $T/ex "
+          "docs/examples/annual.csv; do $W assess models/cards/oak.yaml --samples 0 --extremes $x | grep -A1 "
+          "'return period' | sed 's/by .*//'; done | sort | uniq -c",
+          CODE_OK,
+          { "2     probability that it blows: 0.014 a year",
+            "2   return period of that wind: about 73.6 years" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --soil unknown --extremes docs/examples/annual.csv",
+          CODE_OK,
+          { "more than 1000000 years by docs/examples/annual.csv", "< 1e-6 a year, < 1e-05 in 10 years" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --extremes docs/examples/annual.csv -o $T/o --no-pdf "
+          "-q; grep "
+          "-c '\"exceedance_a_year_text\": \"0.014\"' $T/o/results.json; grep -c '0.014 a year and 0.13 in "
+          "10' "
+          "$T/o/report.html",
+          CODE_OK,
+          { "1\n1\n" } },
+        { "printf 'species,height,girth,crown width,crown base\\noak,20,2.5,14,4\\n' >$T/t.csv; $W assess "
+          "$T/t.csv -o "
+          "$T/o.csv --extremes docs/examples/annual.csv --wind 20 --soil mineral -q; head -1 $T/o.csv | tr , "
+          "'\\n' | "
+          "grep -n exceedance; cut -d, -f16-18 $T/o.csv",
+          CODE_OK,
+          { "wf_exceedance_a_year", "wf_exceedance_over_life" } },
+        { "$W assess models/cards/oak.yaml --extremes $T/none; $W assess models/cards/oak.yaml --extremes "
+          "models/cards; printf 'speed_ms\\n20\\n21\\n' >$T/a.csv; $W assess models/cards/oak.yaml "
+          "--extremes $T/a.csv",
+          CODE_INPUT,
+          { "--extremes: ", "cannot be read", "results.json", "years" } },
     };
     CHECK(rows);
 }
@@ -211,6 +265,11 @@ static void refused(void **state)
         { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --wind 20",
           CODE_INPUT,
           { "--crown-width: is needed, or --frontal-area or --photo-outline" } },
+        { "A='assess models/cards/oak.yaml --leaf-off-share 0.9 --samples 0'; $W $A; for x in --leaf-off "
+          "'--scenarios season=leaf_off' '--season leaf_off'; do $W $A $x 2>&1; done | grep -c 'has no "
+          "effect'; true",
+          CODE_OK,
+          { "leaf_off_share has no effect on a tree in leaf", "0\n" } },
         { "$W assess --species oak --height 20 --girth 2.5 --crown-base 4 --crown-depth 10 --crown-width 9 "
           "--wind "
           "20",
@@ -235,8 +294,8 @@ static void refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(pages), cmocka_unit_test(cards),
-                                        cmocka_unit_test(refused), cmocka_unit_test(scenarios),
-                                        cmocka_unit_test(from_fit) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(pages),     cmocka_unit_test(cards),
+                                        cmocka_unit_test(refused),   cmocka_unit_test(scenarios),
+                                        cmocka_unit_test(how_often), cmocka_unit_test(from_fit) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

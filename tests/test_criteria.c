@@ -1,50 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Criteria of failure by part of the tree, and what results.json says of them. */
 #include "close.h"
-#include "data/model.h"
 #include "data/out/document.h"
-#include "data/species.h"
 #include "fail/fail.h"
-#include "load/drag.h"
 #include "load/scene.h"
+#include "made.h"
 #include "solve/solve.h"
 #include "study/directions.h"
 #include <string.h>
 
-struct made {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_search search;
-    struct wf_scenario scenario;
-    struct wf_solve_options options;
-    struct wf_analysis an;
-    struct wf_directions around;
-};
-
 static const double winds[] = { 8, 300.0 / 9 };
 enum { WINDS = 2 };
 
-static void analyse(struct made *m, const char *model)
+/* With two directions around. */
+struct turned {
+    struct made made;
+    struct wf_directions around;
+};
+
+static void analyse(struct turned *t, const char *model)
 {
-    *m = (struct made){ 0 };
-    m->diag.arena = &m->arena;
-    if (wf_species_read("species/weeping_willow.yaml", &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
-        wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
-        fail_msg("%s", m->err.text);
-    wf_scenario_default(&m->scenario);
-    m->scenario.peak.method = "mean";
-    wf_search_default(&m->search);
-    wf_solve_options_default(&m->options);
-    m->options.mesh_tolerance = 1e-3;
+    struct made *m = &t->made;
     const struct wf_directions_request q = { .n = 2 };
-    if (wf_analyze(&m->species, &m->model, &m->scenario, &m->search, wf_solvers[0], &m->options, winds, WINDS,
-                   &m->arena, &m->diag, &m->an, &m->err) ||
-        wf_directions_run(&m->an, &m->options, &q, &m->arena, &m->around, &m->err))
+    made_read(m, "species/weeping_willow.yaml", model);
+    m->scenario.peak.method = "mean";
+    m->options.mesh_tolerance = 1e-3;
+    made_analyse(m, winds, WINDS);
+    if (wf_directions_run(&m->an, &m->options, &q, &m->arena, &t->around, &m->err))
         fail_msg("%s", m->err.text);
-    m->an.directions = &m->around;
+    m->an.directions = &t->around;
 }
 
 static void rows_are_complete(void **state)
@@ -64,25 +48,26 @@ static void rows_are_complete(void **state)
 static void parts_make_the_tree(void **state)
 {
     (void)state;
-    struct made m;
+    struct turned m;
     analyse(&m, "tests/data/limbs.yaml");
     for (size_t k = 0; k < WINDS; k++)
         for (int c = 0; c < WF_CRITERIA; c++) {
-            const struct wf_worst *w = m.an.at[k].worst[c];
-            if (m.an.at[k].status ||
-                m.an.breaks[c][WF_SCOPE_TREE].critical.outcome == WF_CRITICAL_NO_STRENGTH)
+            const struct wf_worst *w = m.made.an.at[k].worst[c];
+            if (m.made.an.at[k].status ||
+                m.made.an.breaks[c][WF_SCOPE_TREE].critical.outcome == WF_CRITICAL_NO_STRENGTH)
                 continue;
             assert_close(w[WF_SCOPE_TREE].safety, fmin(w[WF_SCOPE_STEM].safety, w[WF_SCOPE_BRANCHES].safety),
                          0);
             for (int s = 0; s < WF_SCOPES; s++)
-                assert_true(w[s].row < 0 || wf_scope_holds((enum wf_scope)s, &m.an.tree, (size_t)w[s].row));
+                assert_true(w[s].row < 0 ||
+                            wf_scope_holds((enum wf_scope)s, &m.made.an.tree, (size_t)w[s].row));
         }
-    const struct wf_break *b = m.an.breaks[WF_BREAKAGE];
+    const struct wf_break *b = m.made.an.breaks[WF_BREAKAGE];
     assert_int_equal(b[WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_FOUND);
-    assert_true(m.an.tree.level[b[WF_SCOPE_TREE].row] > 0); /* of this tree a branch breaks first */
+    assert_true(m.made.an.tree.level[b[WF_SCOPE_TREE].row] > 0); /* of this tree a branch breaks first */
     assert_close(b[WF_SCOPE_BRANCHES].critical.speed, b[WF_SCOPE_TREE].critical.speed, 0);
     assert_true(b[WF_SCOPE_STEM].critical.speed > b[WF_SCOPE_TREE].critical.speed);
-    wf_arena_free(&m.arena);
+    wf_arena_free(&m.made.arena);
 }
 
 /* An entry against `critical` or `critical_stem`, and against the winds. */
@@ -121,9 +106,9 @@ static void results_agree(void **state)
     (void)state;
     static const char *const models[] = { "tests/data/limbs.yaml", "models/culm.yaml" };
     for (int k = 0; k < 2; k++) {
-        struct made m;
+        struct turned m;
         analyse(&m, models[k]);
-        json_t *o = document(&m.an);
+        json_t *o = document(&m.made.an);
         const json_t *tree = json_array_get(json_object_get(o, "trees"), 0), *d;
         size_t i;
         agrees(tree, 0, "tree", "critical");
@@ -142,7 +127,7 @@ static void results_agree(void **state)
             winds_agree(d);
         }
         json_decref(o);
-        wf_arena_free(&m.arena);
+        wf_arena_free(&m.made.arena);
     }
 }
 

@@ -1,40 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Curves of an analysis: interpolated rows against direct solutions; range of the search; threads. */
-#include "close.h"
-#include "data/model.h"
-#include "data/species.h"
-#include "load/drag.h"
-#include "study/analysis.h"
+#include "made.h"
 #include "study/node.h"
 #include <string.h>
-
-struct made {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_scenario scenario;
-    struct wf_solve_options options;
-    struct wf_analysis an;
-};
 
 static void analyse(struct made *m, const char *species, const char *model, const struct wf_search *search,
                     double wind, size_t threads)
 {
-    *m = (struct made){ 0 };
-    m->diag.arena = &m->arena;
-    if (wf_species_read(species, &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
-        wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
-        fail_msg("%s", m->err.text);
-    wf_scenario_default(&m->scenario);
+    made_read(m, species, model);
+    if (search) m->search = *search;
     m->scenario.peak.method = "mean";
-    wf_solve_options_default(&m->options);
     m->options.mesh_tolerance = 1e-4;
     m->options.threads = threads;
-    if (wf_analyze(&m->species, &m->model, &m->scenario, search, wf_solvers[0], &m->options, &wind, 1,
-                   &m->arena, &m->diag, &m->an, &m->err))
-        fail_msg("%s", m->err.text);
+    made_analyse(m, &wind, 1);
 }
 
 /* 0.5 % of the direct solution, for every total of sweep.csv. Returned: interpolated rows below and above the

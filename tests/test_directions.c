@@ -1,26 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Winds from all around: where they come from, symmetry, the same bytes on any number of threads, climate. */
-#include "close.h"
-#include "data/model.h"
-#include "data/species.h"
-#include "load/drag.h"
 #include "load/scene.h"
+#include "made.h"
 #include "solve/solve.h"
 #include "study/directions.h"
 #include "study/peak.h"
 #include "wind/climate.h"
 #include <string.h>
-
-struct made {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_scenario scenario;
-    struct wf_solve_options options;
-    struct wf_analysis an;
-};
 
 static const double winds[] = { 8, 15 };
 enum { WINDS = 2, N = 8 };
@@ -28,24 +14,16 @@ enum { WINDS = 2, N = 8 };
 /* A culm that leans by `lean` towards `azimuth`. */
 static void start(struct made *m, double lean, double azimuth)
 {
-    *m = (struct made){ 0 };
-    m->diag.arena = &m->arena;
-    if (wf_species_read("species/weeping_willow.yaml", &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
-        wf_model_read("models/culm.yaml", &m->arena, &m->model, &m->diag, &m->err))
-        fail_msg("%s", m->err.text);
+    made_read(m, "species/weeping_willow.yaml", "models/culm.yaml");
     m->model.lean = lean, m->model.lean_azimuth = azimuth;
-    wf_scenario_default(&m->scenario);
     m->scenario.peak.method = "mean";
-    wf_solve_options_default(&m->options);
     m->options.mesh_tolerance = 1e-4;
 }
 
 static void analyse(struct made *m, double azimuth)
 {
     m->scenario.azimuth = azimuth;
-    if (wf_analyze(&m->species, &m->model, &m->scenario, NULL, wf_solvers[0], &m->options, winds, WINDS,
-                   &m->arena, &m->diag, &m->an, &m->err))
-        fail_msg("%s", m->err.text);
+    made_analyse(m, winds, WINDS);
 }
 
 static void around(struct made *m, const struct wf_directions_request *q, struct wf_directions *out)

@@ -125,7 +125,7 @@ static void try(struct fuzz *z)
     struct wf_diag d = { .arena = &arena };
     struct wf_err e = { 0 };
     if (json_dump_file(z->document, z->file, 0)) fail_msg("%s: not written", z->file);
-    enum wf_status s = wf_report_make(z->folder, "en", &(struct wf_printer){ 0 }, &d, &e);
+    enum wf_status s = wf_report_make(z->folder, &(struct wf_page_style){ .language = "en" }, &(struct wf_printer){ 0 }, &d, &e);
     if (s != WF_EMISSING && s != WF_EINPUT && s != WF_EOUTPUT) fail_msg("%s: %s", z->file, e.text);
     z->tried++;
     z->refused += s == WF_EINPUT;
@@ -247,7 +247,7 @@ static void words_are_never_run(void **state)
         assert_int_equal(json_dump_file(document, file, 0), 0);
         json_decref(document);
         struct wf_printer pdf = { 0 };
-        enum wf_status s = wf_report_make(folder, "zh", &pdf, &d, &e);
+        enum wf_status s = wf_report_make(folder, &(struct wf_page_style){ .language = "zh" }, &pdf, &d, &e);
         wf_printer_close(&pdf);
         /* a word that stands for a sentence may be unknown */
         if (s && !(s == WF_EOUTPUT && strstr(e.text, "no string"))) fail_msg("%s: %s", file, e.text);

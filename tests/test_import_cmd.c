@@ -57,6 +57,11 @@ static void info_prints_figures(void **state)
         { "$W tree info $D/warts.csv",
           0,
           { "repairs             2 rows that cannot be read", "warts.csv:21" } },
+        /* along the stem, not above its base: 0.2 - 0.1 x 1.3 / 2.5 m */
+        { "printf 'parent,x0,y0,z0,x1,y1,z1,r0,r1\\n0,0,0,0,1.5,0,2,0.1,0.05\\n' >$T/lean.csv; $W tree info "
+          "$T/lean.csv",
+          0,
+          { "dbh                 0.1480 m at 1.3 m" } },
         { "$W tree inf $D/plain.csv", 2, { "did you mean 'info'?" } },
         { "$W tree info $D/plain.csv --species no_such_tree", 2, { "no_such_tree" } },
     };

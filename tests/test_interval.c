@@ -3,102 +3,48 @@
  * coverage, one value at a time, threads, seeds, ends of searches, and what is refused. */
 #include "base/num.h"
 #include "base/random.h"
-#include "close.h"
-#include "data/model.h"
-#include "data/species.h"
-#include "solve/solve.h"
+#include "post.h"
 #include "study/interval.h"
 #include "study/peak.h"
 #include "study/sway.h"
 #include <string.h>
 
-#define RHO 1.2
-#define STRENGTH 40e6
-
-static struct wf_value is(double v)
-{
-    return (struct wf_value){
-        .value = v, .low = v, .high = v, .standing = WF_MEASURED, .source = "here", .given = true
-    };
-}
-
-/* A stiff solid post without leaves and weight, in an even steady wind: the load grows as its square. */
-struct post {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_level level;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_scenario scenario;
-    struct wf_search search;
-    struct wf_solve_options options;
-    struct wf_analysis an;
+/* Whose interval is computed. */
+struct sampled {
+    struct post post;
     struct wf_interval interval;
-    struct wf_err err;
 };
 
-static void set_up(struct post *p, double height, double radius)
+/* A stiff post of 4 segments: the load grows as the square of the wind. */
+static void set_up(struct sampled *p, double height, double radius)
 {
-    memset(p, 0, sizeof *p);
-    p->diag.arena = &p->arena;
-    p->level = (struct wf_level){ .name = "stem",
-                                  .youngs_modulus = is(2e11),
-                                  .shear_modulus = is(2e10),
-                                  .density = is(900),
-                                  .modulus_of_rupture = is(STRENGTH),
-                                  .radius = is(radius),
-                                  .knot_factor = is(1),
-                                  .damping_ratio = is(0.05),
-                                  .drag_coefficient = is(1),
-                                  .lift_coefficient = is(0) };
-    p->species = (struct wf_species){ .key = "post",
-                                      .name = "Post",
-                                      .preset = "corrected",
-                                      .levels = 1,
-                                      .level = &p->level,
-                                      .crown.drag_coefficient = is(0.5),
-                                      .crown.leaf_mass_per_area = is(0.2),
-                                      .crown.frontal_share = is(0.4),
-                                      .streamlining = { .law = "none", .parameter = { is(0) } } };
-    p->model = (struct wf_model){ .key = "post",
-                                  .name = "Post",
-                                  .height = height,
-                                  .radius = radius,
-                                  .taper = WF_TAPER_LINEAR,
-                                  .tip_ratio = 1,
-                                  .segments = 4,
-                                  .crown_base = 0.5 * height,
-                                  .crown_top = height,
-                                  .silhouette = { .area = NAN, .leafless = NAN } };
-    wf_scenario_default(&p->scenario);
-    p->scenario.peak.method = "mean";
-    p->scenario.profile = "uniform";
-    p->scenario.air_density = RHO;
-    p->scenario.gravity = 0;
-    wf_search_default(&p->search);
-    p->search.speed_max = 200, p->search.beyond = 0;
-    wf_solve_options_default(&p->options);
+    post_begin(&p->post, height, radius);
+    p->interval = (struct wf_interval){ 0 };
+    p->post.level.youngs_modulus = measured(2e11), p->post.level.shear_modulus = measured(2e10);
+    p->post.model.segments = 4;
+    p->post.search.speed_max = 200;
 }
 
 /* Mean wind at which a rigid post breaks at its base: sigma = 4 M / (pi R^3), M = rho Cd R U^2 H^2 / 2. */
 static double breaks_at(double strength, double drag, double height, double radius)
 {
-    return sqrt(0.5 * WF_PI * strength * radius * radius / (RHO * drag * height * height));
+    return sqrt(0.5 * WF_PI * strength * radius * radius / (POST_AIR * drag * height * height));
 }
 
-static enum wf_status run(struct post *p, size_t samples, uint64_t seed, size_t threads)
+static enum wf_status run(struct sampled *p, size_t samples, uint64_t seed, size_t threads)
 {
     const double speeds[] = { 10, 40 };
     const struct wf_interval_request q = { samples, seed, threads };
-    enum wf_status s = wf_analyze(&p->species, &p->model, &p->scenario, &p->search, wf_solvers[0],
-                                  &p->options, speeds, 2, &p->arena, &p->diag, &p->an, &p->err);
-    if (s) fail_msg("%s", p->err.text);
-    s = wf_interval_run(&p->an, &p->options, &q, &p->arena, &p->interval, &p->err);
-    if (!s) p->an.interval = &p->interval;
+    enum wf_status s =
+        wf_analyze(&p->post.species, &p->post.model, &p->post.scenario, &p->post.search, wf_solvers[0],
+                   &p->post.options, speeds, 2, &p->post.arena, &p->post.diag, &p->post.an, &p->post.err);
+    if (s) fail_msg("%s", p->post.err.text);
+    s = wf_interval_run(&p->post.an, &p->post.options, &q, &p->post.arena, &p->interval, &p->post.err);
+    if (!s) p->post.an.interval = &p->interval;
     return s;
 }
 
-static const struct wf_interval_arm *arm_of(const struct post *p, const char *name, struct wf_varied *v)
+static const struct wf_interval_arm *arm_of(const struct sampled *p, const char *name, struct wf_varied *v)
 {
     for (size_t k = 0; k < p->interval.variation.n; k++) {
         *v = p->interval.variation.varied[k];
@@ -114,11 +60,11 @@ static double closed_sd(void) { return sqrt(0.25 * (0.16 * 0.16 + 0.15 * 0.15) +
 static void agrees_with_the_closed_form(void **state)
 {
     (void)state;
-    struct post p;
+    struct sampled p;
     set_up(&p, 10, 0.1);
     assert_int_equal(run(&p, 1024, 1, 0), WF_OK);
     const struct wf_interval *i = &p.interval;
-    double middle = breaks_at(STRENGTH, 1, 10, 0.1), wide = exp(WF_SPREAD_Z * closed_sd());
+    double middle = breaks_at(POST_STRENGTH, 1, 10, 0.1), wide = exp(WF_SPREAD_Z * closed_sd());
     assert_close(i->middle, middle, 3e-3);
     /* sampling error of an order statistic: sqrt(0.05 0.95 / 1024) / density = 0.066 standard deviations */
     assert_close(i->low, middle / wide, 0.015);
@@ -130,20 +76,21 @@ static void agrees_with_the_closed_form(void **state)
     /* safety at 40 m/s: the square of the ratio of the winds */
     assert_close(i->at[1].low, pow(middle / wide / 40, 2), 0.03);
     assert_close(i->at[1].high, pow(middle * wide / 40, 2), 0.03);
-    wf_arena_free(&p.arena);
+    wf_arena_free(&p.post.arena);
 }
 
 /* The tornado has no sampling error. */
 static void one_value_at_a_time(void **state)
 {
     (void)state;
-    struct post p;
+    struct sampled p;
     struct wf_varied v;
     set_up(&p, 10, 0.1);
-    p.level.modulus_of_rupture.low = 0.5 * STRENGTH, p.level.modulus_of_rupture.high = 1.2 * STRENGTH;
-    p.level.modulus_of_rupture.standing = WF_ASSUMED;
+    p.post.level.modulus_of_rupture.low = 0.5 * POST_STRENGTH,
+    p.post.level.modulus_of_rupture.high = 1.2 * POST_STRENGTH;
+    p.post.level.modulus_of_rupture.standing = WF_ASSUMED;
     assert_int_equal(run(&p, 20, 1, 1), WF_OK);
-    double middle = breaks_at(STRENGTH, 1, 10, 0.1);
+    double middle = breaks_at(POST_STRENGTH, 1, 10, 0.1);
     const struct wf_interval_arm *arm = arm_of(&p, "modulus_of_rupture", &v);
     assert_true(v.ranged);
     assert_close(arm->at_low, middle * sqrt(0.5), 3e-3);
@@ -155,12 +102,12 @@ static void one_value_at_a_time(void **state)
     assert_close(arm->at_high, middle * exp(-WF_SPREAD_Z * 0.03), 3e-3);
     arm = arm_of(&p, "youngs_modulus", &v);
     assert_close(arm->at_high, middle, 3e-3);
-    wf_interval_warn(&p.an, &p.interval, &p.diag);
-    assert_non_null(p.diag.last);
-    assert_string_equal(p.diag.last->code, "value-decides");
-    assert_non_null(strstr(p.diag.last->text, "modulus_of_rupture (assumed)"));
-    assert_null(strstr(p.diag.last->text, "drag_coefficient"));
-    wf_arena_free(&p.arena);
+    wf_interval_warn(&p.post.an, &p.interval, &p.post.diag);
+    assert_non_null(p.post.diag.last);
+    assert_string_equal(p.post.diag.last->code, "value-decides");
+    assert_non_null(strstr(p.post.diag.last->text, "modulus_of_rupture (assumed)"));
+    assert_null(strstr(p.post.diag.last->text, "drag_coefficient"));
+    wf_arena_free(&p.post.arena);
 }
 
 /* The value of each law at its own points, and between. */
@@ -189,31 +136,31 @@ static void covers_what_it_says(void **state)
     int inside = 0;
     for (uint64_t t = 0; t < TREES; t++) {
         double z[6], height, radius;
-        struct post p;
+        struct sampled p;
         wf_random_normals(99, t, 0, 6, z);
         height = 8 + 12 * wf_random_uniform(99, 1000 + t, 0);
         radius = height * (0.008 + 0.008 * wf_random_uniform(99, 1000 + t, 1));
         set_up(&p, height, radius);
         assert_int_equal(run(&p, SAMPLES, t, 0), WF_OK);
-        double truth = breaks_at(STRENGTH * exp(0.16 * z[0]), exp(0.15 * z[1]), height * exp(0.03 * z[2]),
-                                 radius * exp(0.02 * z[3]));
+        double truth = breaks_at(POST_STRENGTH * exp(0.16 * z[0]), exp(0.15 * z[1]),
+                                 height * exp(0.03 * z[2]), radius * exp(0.02 * z[3]));
         inside += truth >= p.interval.low && truth <= p.interval.high;
-        wf_arena_free(&p.arena);
+        wf_arena_free(&p.post.arena);
     }
     print_message("inside: %d of %d\n", inside, (int)TREES);
     assert_true(inside >= 0.86 * TREES && inside <= 0.94 * TREES);
 }
 
 /* With gusts, weight, leaves and streamlining. */
-static void clothe(struct post *p)
+static void clothe(struct sampled *p)
 {
-    p->model.leaf_area = p->model.leaf_area_on = 15;
-    p->scenario.gravity = 9.81;
-    p->scenario.peak.method = "en1991";
-    p->scenario.peak.damping = NAN;
-    p->scenario.profile = "power";
-    p->level.youngs_modulus = is(8e9);
-    p->level.shear_modulus = is(5e8);
+    p->post.model.leaf_area = p->post.model.leaf_area_on = 15;
+    p->post.scenario.gravity = 9.81;
+    p->post.scenario.peak.method = "en1991";
+    p->post.scenario.peak.damping = NAN;
+    p->post.scenario.profile = "power";
+    p->post.level.youngs_modulus = measured(8e9);
+    p->post.level.shear_modulus = measured(5e8);
 }
 
 static void bytes_of(const struct wf_interval *i, unsigned char *out, size_t size)
@@ -239,12 +186,12 @@ static void same_bytes_for_any_threads(void **state)
     (void)state;
     static unsigned char bytes[3][1 << 14];
     for (int k = 0; k < 3; k++) {
-        struct post p;
+        struct sampled p;
         set_up(&p, 12, 0.1);
         clothe(&p);
         assert_int_equal(run(&p, 64, k == 2 ? 2 : 1, k == 1 ? 2 : 1), WF_OK);
         bytes_of(&p.interval, bytes[k], sizeof bytes[k]);
-        wf_arena_free(&p.arena);
+        wf_arena_free(&p.post.arena);
     }
     assert_memory_equal(bytes[0], bytes[1], sizeof bytes[0]);
     assert_memory_not_equal(bytes[0], bytes[2], sizeof bytes[0]); /* another seed */
@@ -257,7 +204,7 @@ static void varies_what_acts(void **state)
     static const char *const names[] = { "gusts",   "damping",        "radius",
                                          "height",  "leaf_area",      "frontal_share",
                                          "density", "youngs_modulus", "modulus_of_rupture" };
-    struct post p;
+    struct sampled p;
     struct wf_varied v;
     set_up(&p, 12, 0.1);
     clothe(&p);
@@ -270,14 +217,14 @@ static void varies_what_acts(void **state)
     wf_variation_ranks(&p.interval.variation, ranks);
     for (size_t i = 0; i < n * n; i++) wood += ranks[i] == WF_SPREAD_WOOD;
     assert_int_equal(wood, 6); /* density, E and strength with each other, twice */
-    wf_arena_free(&p.arena);
+    wf_arena_free(&p.post.arena);
 }
 
 /* Each sample is the tree solved anew: the arm of a value is the analysis with that value. */
 static void arms_are_analyses(void **state)
 {
     (void)state;
-    struct post p, q;
+    struct sampled p, q;
     struct wf_varied v;
     set_up(&p, 12, 0.1);
     clothe(&p);
@@ -285,51 +232,53 @@ static void arms_are_analyses(void **state)
     const struct wf_interval_arm *arm = arm_of(&p, "youngs_modulus", &v);
     set_up(&q, 12, 0.1);
     clothe(&q);
-    q.level.youngs_modulus = is(v.high);
-    q.level.shear_modulus = is(5e8 * v.high / v.value);
+    q.post.level.youngs_modulus = measured(v.high);
+    q.post.level.shear_modulus = measured(5e8 * v.high / v.value);
     assert_int_equal(run(&q, 20, 1, 0), WF_OK);
-    double given = q.an.breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed;
+    double given = q.post.an.breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed;
     assert_close(arm->at_high / p.interval.middle,
-                 given / p.an.breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed, 5e-3);
-    wf_arena_free(&p.arena);
-    wf_arena_free(&q.arena);
+                 given / p.post.an.breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed, 5e-3);
+    wf_arena_free(&p.post.arena);
+    wf_arena_free(&q.post.arena);
 }
 
 /* Frequency and damping of a tree with other values, by ratios, against its own modes. */
 static void sways_by_ratios(void **state)
 {
     (void)state;
-    struct post p;
+    struct sampled p;
     const double speeds[] = { 10, 20 };
     struct wf_peak *alike;
     struct wf_peak_parts own, by_ratio;
     set_up(&p, 12, 0.1);
     clothe(&p);
     assert_int_equal(run(&p, 20, 1, 0), WF_OK);
-    struct wf_level other = p.level;
-    struct wf_species species = p.species;
+    struct wf_level other = p.post.level;
+    struct wf_species species = p.post.species;
     other.youngs_modulus.value *= 1.3, other.density.value *= 0.9;
     species.level = &other;
-    struct wf_analysis an = p.an;
+    struct wf_analysis an = p.post.an;
     an.species = &species;
-    assert_int_equal(wf_analysis_set_up(&an, &p.options, &p.arena, &p.diag, &p.err), WF_OK);
-    assert_int_equal(wf_sway_set_up(&an, &p.options, speeds, 2, &p.arena, NULL, &p.err), WF_OK);
+    assert_int_equal(wf_analysis_set_up(&an, &p.post.options, &p.post.arena, &p.post.diag, &p.post.err),
+                     WF_OK);
+    assert_int_equal(wf_sway_set_up(&an, &p.post.options, speeds, 2, &p.post.arena, NULL, &p.post.err),
+                     WF_OK);
     wf_peak_parts_at(an.peak, 10, WF_PART_STEM, &own);
-    assert_int_equal(wf_sway_alike(&an, &p.an, 20, &p.arena, &alike, &p.err), WF_OK);
+    assert_int_equal(wf_sway_alike(&an, &p.post.an, 20, &p.post.arena, &alike, &p.post.err), WF_OK);
     wf_peak_parts_at(an.peak, 10, WF_PART_STEM, &by_ratio);
     assert_close(by_ratio.frequency, own.frequency, 0.06);
     assert_close(by_ratio.factor, own.factor, 0.02);
-    wf_arena_free(&p.arena);
+    wf_arena_free(&p.post.arena);
 }
 
 /* Where the search ends, samples are known to be above it; the law takes that into account. */
 static void ends_of_searches(void **state)
 {
     (void)state;
-    struct post p;
+    struct sampled p;
     set_up(&p, 10, 0.1);
-    double middle = breaks_at(STRENGTH, 1, 10, 0.1);
-    p.search.speed_max = middle;
+    double middle = breaks_at(POST_STRENGTH, 1, 10, 0.1);
+    p.post.search.speed_max = middle;
     assert_int_equal(run(&p, 256, 1, 0), WF_OK);
     assert_true(isinf(p.interval.high));
     assert_close(p.interval.low, middle * exp(-WF_SPREAD_Z * closed_sd()), 0.03);
@@ -337,22 +286,22 @@ static void ends_of_searches(void **state)
     assert_close(p.interval.fit.median, middle, 0.02);
     assert_close(p.interval.fit.beta, closed_sd(), 0.1);
     assert_true(isfinite(p.interval.point[WF_INTERVAL_POINTS - 1].fit));
-    wf_arena_free(&p.arena);
+    wf_arena_free(&p.post.arena);
     set_up(&p, 10, 0.1);
-    p.search.speed_max = 20;
+    p.post.search.speed_max = 20;
     assert_int_equal(run(&p, 20, 1, 0), WF_OK);
     assert_true(isinf(p.interval.low) && isinf(p.interval.middle) && isnan(p.interval.fit.median));
-    wf_arena_free(&p.arena);
+    wf_arena_free(&p.post.arena);
 }
 
 static void a_tree_of_other_sizes(void **state)
 {
     (void)state;
-    struct post p;
+    struct sampled p;
     set_up(&p, 12, 0.1);
     clothe(&p);
     assert_int_equal(run(&p, 20, 1, 1), WF_OK);
-    struct wf_tree *t = &p.an.tree;
+    struct wf_tree *t = &p.post.an.tree;
     double leaves[2] = { 0 };
     for (int k = 0; k < 2; k++) {
         for (size_t i = 0; i < t->n; i++)
@@ -362,30 +311,30 @@ static void a_tree_of_other_sizes(void **state)
     assert_close(leaves[1], leaves[0], 1e-12);
     assert_close(wf_tree_height(t), 13.2, 1e-12);
     assert_close(t->r0[0], 0.09, 1e-12);
-    wf_arena_free(&p.arena);
+    wf_arena_free(&p.post.arena);
 }
 
 static void refuses(void **state)
 {
     (void)state;
-    struct post p;
+    struct sampled p;
     set_up(&p, 10, 0.1);
     assert_int_equal(run(&p, 19, 1, 1), WF_EUSAGE);
-    assert_non_null(strstr(p.err.text, "20 to 4096"));
-    wf_arena_free(&p.arena);
+    assert_non_null(strstr(p.post.err.text, "20 to 4096"));
+    wf_arena_free(&p.post.arena);
     set_up(&p, 10, 0.1);
     assert_int_equal(run(&p, 4097, 1, 1), WF_EUSAGE);
-    wf_arena_free(&p.arena);
+    wf_arena_free(&p.post.arena);
     set_up(&p, 10, 0.1);
-    p.level.modulus_of_rupture.low = 1.1 * STRENGTH;
+    p.post.level.modulus_of_rupture.low = 1.1 * POST_STRENGTH;
     assert_int_equal(run(&p, 20, 1, 1), WF_EINPUT);
-    assert_non_null(strstr(p.err.text, "modulus_of_rupture: the range"));
-    wf_arena_free(&p.arena);
+    assert_non_null(strstr(p.post.err.text, "modulus_of_rupture: the range"));
+    wf_arena_free(&p.post.arena);
     set_up(&p, 10, 0.1);
-    p.level.modulus_of_rupture = (struct wf_value){ .value = NAN };
+    p.post.level.modulus_of_rupture = (struct wf_value){ .value = NAN };
     assert_int_equal(run(&p, 20, 1, 1), WF_EUSAGE);
-    assert_non_null(strstr(p.err.text, "no strength is known"));
-    wf_arena_free(&p.arena);
+    assert_non_null(strstr(p.post.err.text, "no strength is known"));
+    wf_arena_free(&p.post.arena);
 }
 
 static void digits(void **state)
@@ -433,20 +382,20 @@ static void ranges_in_words(void **state)
 static void falls_at_one_end(void **state)
 {
     (void)state;
-    struct post p;
+    struct sampled p;
     struct wf_varied v;
     set_up(&p, 10, 0.1);
-    p.level.youngs_modulus.standing = WF_BORROWED;
+    p.post.level.youngs_modulus.standing = WF_BORROWED;
     assert_int_equal(run(&p, 20, 1, 1), WF_OK);
     size_t k = (size_t)(arm_of(&p, "youngs_modulus", &v) - p.interval.arm);
-    wf_interval_warn(&p.an, &p.interval, &p.diag);
-    for (const struct wf_finding *f = p.diag.first; f; f = f->next)
+    wf_interval_warn(&p.post.an, &p.interval, &p.post.diag);
+    for (const struct wf_finding *f = p.post.diag.first; f; f = f->next)
         assert_null(strstr(f->text, "youngs_modulus (borrowed)"));
     p.interval.arm[k].at_low = NAN;
-    wf_interval_warn(&p.an, &p.interval, &p.diag);
-    assert_non_null(p.diag.last);
-    assert_non_null(strstr(p.diag.last->text, "youngs_modulus (borrowed): not standing to 72 m/s"));
-    wf_arena_free(&p.arena);
+    wf_interval_warn(&p.post.an, &p.interval, &p.post.diag);
+    assert_non_null(p.post.diag.last);
+    assert_non_null(strstr(p.post.diag.last->text, "youngs_modulus (borrowed): not standing to 72 m/s"));
+    wf_arena_free(&p.post.arena);
 }
 
 int main(void)

@@ -65,11 +65,52 @@ static void what_governs_is_said(void **state)
         { "$W analyze oak $M --wind 10 --corridor 0m --tip-angle-limit 200deg --samples 0 --no-report -o "
           "$T/a",
           CODE_INPUT,
-          { "--corridor: 0m is outside 0.01..200 m",
-            "--tip-angle-limit: 200deg is outside 0.1..179 deg" } },
+          { "--corridor: 0m is outside 0.01..200 m", "--tip-angle-limit: 200deg is outside 0.1..179 deg" } },
         { "$W analyze oak $M --wind 10 --corridor-towards 90 --samples 0 --no-report -o $T/a",
           CODE_INPUT,
           { "--corridor-towards: has no effect without --corridor" } },
+        { "$W analyze moso_bamboo --model moso_culm --wind 10 --node-spacing 15cm --samples 0 --no-pdf -o "
+          "$T/a; "
+          "grep -o 'Diaphragms [a-z0-9 ]*' $T/a/report.html; $W analyze moso_bamboo --model moso_culm --wind "
+          "10 "
+          "--samples 0 --no-pdf --lang zh -o $T/a -q; grep -o '未计竹隔' $T/a/report.html",
+          CODE_OK,
+          { "it breaks in bending first", "diaphragms, 0.15 m apart, are counted by judgement",
+            "Diaphragms at nodes 15 cm apart are counted", "未计竹隔" } },
+        { "$W analyze oak $M --wind 10 --node-spacing 20cm --samples 0 --no-report -o $T/a",
+          CODE_INPUT,
+          { "--node-spacing 0.2 m: diaphragms are of culms; the stem of Oak is solid" } },
+        { "$W analyze moso_bamboo --model moso_culm --wind 10 --node-spacing 0cm --samples 0 --no-report -o "
+          "$T/a",
+          CODE_INPUT,
+          { "--node-spacing: 0cm is outside 1..500 cm" } },
+        { "for m in moso_branched broadleaf; do $W analyze oak --model $m --wind 10 --samples 0 --no-report "
+          "-o $T/a "
+          "2>&1 | grep -c 'twig-leaves.*2.1 m2 on each cm2'; done; true",
+          CODE_OK,
+          { "1\n0\n" } },
+        { "printf 'phi_deg,moment_kNm\\n0,0\\n1,40\\n2,%s\\n3,60\\n4,50\\n' 37 >$T/a.csv; sed 's/37/35/' "
+          "$T/a.csv "
+          ">$T/b.csv; for f in a b; do $W analyze oak $M --wind 10 --tipping-curve $T/$f.csv --samples 0 "
+          "--no-report "
+          "-o $T/a 2>&1 | grep -c 'falls from 40 to 35 kN m before its largest moment, 60 kN m'; done; true",
+          CODE_OK,
+          { "0\n1\n" } },
+        { "sed '/^    modulus_of_rupture: {value: 59/,+1d' species/oak.yaml >$T/o.yaml; $W analyze $T/o.yaml "
+          "$M --wind "
+          "20 --samples 0 --no-report -o $T/a",
+          CODE_OK,
+          { "     elastic-limit ", "not assessed: breakage (the species has no modulus_of_rupture)" } },
+        { "$W analyze oak $M --wind 10 --crown-form triangle --samples 0 --no-report -o $T/a",
+          CODE_INPUT,
+          { "--crown-form needs --crown-width and --crown-depth" } },
+        { "$W analyze oak $M --wind 10 --leaf-off-share 0.3 --samples 0 --no-report -o $T/a",
+          CODE_INPUT,
+          { "--leaf-off-share: has no effect in leaf (season leaf_on)" } },
+        { "$W analyze oak $M --season leaf_off --wind 10 --leaf-off-share 0.3 --samples 0 --no-report -q -o "
+          "$T/a",
+          CODE_OK,
+          { "" } },
         { "$W analyze oak $M --wind 10 --corridor 3kg --samples 0 --no-report -o $T/a",
           CODE_INPUT,
           { "'3kg': 'kg' is not a unit of a length" } },

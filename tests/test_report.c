@@ -137,7 +137,7 @@ static void one_printer(void **state)
     if (skipped("gnuplot") || skipped("weasyprint")) return;
     results(f, mock_run(1, winds, 1, &f->arena));
     for (size_t page = 1; page <= 3; page++) {
-        if (wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e)) fail_msg("%s", f->e.text);
+        if (wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e)) fail_msg("%s", f->e.text);
         assert_int_equal(f->printer.pages, page < 3 ? page : 1);
         char *pdf = folder_read(&f->folder, "report.pdf");
         assert_non_null(pdf);
@@ -149,7 +149,7 @@ static void one_printer(void **state)
     wf_printer_close(&f->printer);
     assert_int_equal(f->printer.pages, 0);
     assert_int_equal(waitpid(-1, NULL, WNOHANG), -1); /* nothing is left */
-    if (wf_report_make(f->folder.path, "en", NULL, &f->diag, &f->e)) fail_msg("%s", f->e.text);
+    if (wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, NULL, &f->diag, &f->e)) fail_msg("%s", f->e.text);
     assert_false(folder_has(&f->folder, "report.pdf"));
 }
 
@@ -179,7 +179,7 @@ static void chinese(void **state)
     for (int i = 0; i < 12; i++) speed[i] = 5 + 3 * i;
     results(f, mock_run(1, speed, 12, &f->arena));
     only(f, "gnuplot");
-    assert_int_equal(wf_report_make(f->folder.path, "zh", &f->printer, &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "zh" }, &f->printer, &f->diag, &f->e), WF_EMISSING);
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "毛竹的风荷载响应"));
     assert_non_null(strstr(html, "图中绘出 12 个风速中的 5 个"));
@@ -195,7 +195,7 @@ static void no_weasyprint(void **state)
     if (skipped("gnuplot")) return;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, "gnuplot");
-    assert_int_equal(wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e), WF_EMISSING);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     assert_true(folder_has(&f->folder, "report.html"));
     assert_false(folder_has(&f->folder, "report.pdf"));
@@ -208,7 +208,7 @@ static void no_gnuplot(void **state)
     struct fixture *f = *state;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, NULL);
-    assert_int_equal(wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e), WF_EMISSING);
     assert_string_equal(f->e.text, "gnuplot is not installed: install the package gnuplot-nox");
     assert_true(warned(f, "install the package weasyprint"));
     assert_int_equal(f->diag.warnings, 2);
@@ -243,7 +243,7 @@ static void missing_values(void **state)
     mock_settle(&a[1]);
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_int_equal(times(html, "<svg"), 4);
@@ -269,7 +269,7 @@ static void no_strength(void **state)
     mock_settle(a);
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "No safety factors: no modulus of rupture is given."));
@@ -287,7 +287,7 @@ static void hostile_names(void **state)
     run.command = "windfirm compare '</style><script>alert(1)</script>'";
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "O'Neil's &lt;b&gt;\"_^{x}\" `date` {9}� %d"));
@@ -304,7 +304,7 @@ static void scripts_by_hand(void **state)
     if (skipped("gnuplot")) return;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
     snprintf(command, sizeof command, "cd reports/plots && gnuplot -c shapes.gp %s %s/mine.pdf",
              f->folder.path, f->folder.path);
     assert_int_equal(system(command), 0);
@@ -339,7 +339,7 @@ static void wrong_input(void **state)
     refuse(f, "{ \"schema\": {\"name\": \"windfirm-results\", \"version\": 1}, \"trees\": [{}]}",
            "tables/summary.csv");
     f->e = (struct wf_err){ 0 };
-    assert_int_equal(wf_report_make(f->folder.path, "fr", &f->printer, &f->diag, &f->e), WF_EUSAGE);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "fr" }, &f->printer, &f->diag, &f->e), WF_EUSAGE);
     assert_non_null(strstr(f->e.text, "allowed: en, zh"));
 }
 

@@ -1,15 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Criteria of sections: elastic limit, torsion, splitting and ovalisation against closed forms; safety 1 at
  * the critical wind of each; what branches bear. */
-#include "close.h"
-#include "data/model.h"
 #include "data/section.h"
-#include "data/species.h"
 #include "fail/fail.h"
-#include "load/drag.h"
 #include "load/scene.h"
+#include "made.h"
 #include "solve/chain.h"
-#include "study/analysis.h"
 #include <string.h>
 
 #define PI 3.14159265358979323846
@@ -210,35 +206,7 @@ static void place_inside_a_row(void **state)
 
 /* ---- Whole trees ---- */
 
-struct made {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_scenario scenario;
-    struct wf_solve_options options;
-    struct wf_analysis an;
-};
-
-static void read_tree(struct made *m, const char *species, const char *model)
-{
-    *m = (struct made){ 0 };
-    m->diag.arena = &m->arena;
-    if (wf_species_read(species, &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
-        wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
-        fail_msg("%s", m->err.text);
-    wf_scenario_default(&m->scenario);
-    wf_solve_options_default(&m->options);
-}
-
-static void analyse(struct made *m)
-{
-    const double wind = 12;
-    if (wf_analyze(&m->species, &m->model, &m->scenario, NULL, wf_solvers[0], &m->options, &wind, 1,
-                   &m->arena, &m->diag, &m->an, &m->err))
-        fail_msg("%s", m->err.text);
-}
+static void analyse(struct made *m) { made_analyse(m, (const double[]){ 12 }, 1); }
 
 static void safety_1_at_the_critical_wind(void **state)
 {
@@ -252,7 +220,7 @@ static void safety_1_at_the_critical_wind(void **state)
     for (size_t k = 0; k < sizeof trees / sizeof *trees; k++) {
         struct made m;
         int found = 0;
-        read_tree(&m, trees[k].species, trees[k].model);
+        made_read(&m, trees[k].species, trees[k].model);
         analyse(&m);
         for (int c = 0; c < WF_CRITERIA; c++)
             for (int s = 0; s < WF_SCOPE_BRANCHES; s++) {
@@ -276,7 +244,7 @@ static void torsion_comes_before_bending(void **state)
 {
     (void)state;
     struct made m;
-    read_tree(&m, "species/weeping_willow.yaml", "tests/data/limbs.yaml");
+    made_read(&m, "species/weeping_willow.yaml", "tests/data/limbs.yaml");
     analyse(&m);
     for (int s = 0; s < WF_SCOPES; s++)
         assert_true(m.an.breaks[WF_TORSION][s].critical.speed <=
@@ -291,7 +259,7 @@ static void what_branches_bear(void **state)
     struct made m;
     struct wf_tree t;
     const struct wf_branch_strength *b;
-    read_tree(&m, "species/norway_spruce.yaml", "models/culm.yaml");
+    made_read(&m, "species/norway_spruce.yaml", "models/culm.yaml");
     const struct wf_level *stem = &m.species.level[0], *branch = &m.species.level[1];
     const double clear = stem->modulus_of_rupture.value, own = branch->modulus_of_rupture.value;
     static const struct {
@@ -323,7 +291,7 @@ static void values_of_species(void **state)
 {
     (void)state;
     struct made m;
-    read_tree(&m, "species/moso_bamboo.yaml", "models/moso_culm.yaml");
+    made_read(&m, "species/moso_bamboo.yaml", "models/moso_culm.yaml");
     const struct wf_level *l = m.species.level;
     assert_false(l->shear_strength.given || l->compressive_strength.given);
     assert_close(l->shear_strength.value, 0.15 * l->modulus_of_rupture.value, 1e-12);
@@ -347,12 +315,63 @@ static void values_of_species(void **state)
     wf_level_onto(&green, &t, 0, false);
     assert_close(t.transverse[0], green.tangential_modulus.value / (1 - 0.4 * 0.05), 1e-12);
     wf_arena_free(&m.arena);
-    read_tree(&m, "species/willow_feng1999.yaml", "models/culm.yaml"); /* no strength at all */
+    made_read(&m, "species/willow_feng1999.yaml", "models/culm.yaml"); /* no strength at all */
     assert_int_equal(wf_tree_alloc(&t, 1, &m.arena, &m.err), WF_OK);
     wf_level_onto(m.species.level, &t, 0, false);
     assert_close(t.shearing[0], 0, 0);
     assert_close(t.compressive[0] + t.tangential[0] + t.transverse[0], 0, 0);
     wf_arena_free(&m.arena);
+}
+
+/* Half way between the nodes the flattening is that of a beam on an elastic foundation, by its Fourier
+ * series: (4 / pi) sum of sin(n pi / 2) / (n (1 + (n pi / L)^4 / (4 b^4))) over odd n. */
+static double flattened(double spacing, double decay)
+{
+    double sum = 0;
+    for (int n = 1; n < 4001; n += 2)
+        sum += (n % 4 == 1 ? 1 : -1) / (n * (1 + pow(n * PI / spacing, 4) / (4 * pow(decay, 4))));
+    return 4 / PI * sum;
+}
+
+static void diaphragms(void **state)
+{
+    (void)state;
+    const double wall = 0.2 * R, middle = R - wall / 2;
+    /* of wood this stiff along the rings the theory's reach is less than three diameters ... */
+    const double stiff = 2 * E_L, decay = pow(3 * stiff * wall * wall / (E_L * pow(middle, 6)), 0.25);
+    assert_true(decay > PI / (6 * R));
+    for (double apart = 0.5; apart < PI / (2 * decay * R); apart += 0.25)
+        assert_close(wf_wall_held(2 * R * apart, E_L, stiff, R, wall),
+                     1 / sqrt(flattened(2 * R * apart, decay)), 1e-6);
+    /* ... of others that of three diameters counts, also where nothing is known */
+    for (double apart = 0.5; apart < 3; apart += 0.25) {
+        double held = wf_wall_held(2 * R * apart, E_L, E_T / 4, R, wall);
+        assert_close(held, 1 / sqrt(flattened(2 * R * apart, PI / (6 * R))), 1e-6);
+        assert_close(held, wf_wall_held(2 * R * apart, E_L, 0, R, wall), 0);
+    }
+    assert_close(wf_wall_held(2 * R * 3, E_L, E_T / 4, R, wall), 1, 0);
+    assert_close(wf_wall_held(2 * R * 30, E_L, E_T / 4, R, wall), 1, 0);
+}
+
+/* Both limits of the wall of a culm grow by the same factor, bending does not; off, all is as without them.
+ */
+static void diaphragms_of_a_stem(void **state)
+{
+    (void)state;
+    struct fixture f;
+    const double spacing = 3 * R, inner = 0.8;
+    double without[WF_CRITERIA];
+    cantilever(&f, 1, 1, inner, (struct wf_point_load){ .force = { 40, 0, 0 } }, 1);
+    check(&f);
+    for (int c = 0; c < WF_CRITERIA; c++) without[c] = safety(&f, (enum wf_criterion_id)c);
+    f.t.node_spacing = spacing;
+    check(&f);
+    double held = wf_wall_held(spacing, E_L, E_T, R, (1 - inner) * R);
+    assert_true(held > 1.5);
+    assert_close(safety(&f, WF_SPLITTING), held * without[WF_SPLITTING], 1e-12);
+    assert_close(safety(&f, WF_OVALISATION), held * without[WF_OVALISATION], 1e-12);
+    assert_close(safety(&f, WF_BREAKAGE), without[WF_BREAKAGE], 0);
+    wf_arena_free(&f.arena);
 }
 
 int main(void)
@@ -368,6 +387,8 @@ int main(void)
         cmocka_unit_test(torsion_comes_before_bending),
         cmocka_unit_test(what_branches_bear),
         cmocka_unit_test(values_of_species),
+        cmocka_unit_test(diaphragms),
+        cmocka_unit_test(diaphragms_of_a_stem),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

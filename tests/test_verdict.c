@@ -2,29 +2,13 @@
 /* The headline: loss of the tree by the weaker of its criteria, never a twig; branches by thickness; what was
  * not assessed and what no field data verify, in the library, results.json and on the terminal. */
 #include "close.h"
-#include "data/model.h"
 #include "data/out/document.h"
-#include "data/species.h"
 #include "fail/anchorage.h"
 #include "grow/grow.h"
-#include "load/drag.h"
+#include "made.h"
 #include "solve/solve.h"
-#include "study/analysis.h"
 #include "study/verdict.h"
 #include <string.h>
-
-struct made {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_search search;
-    struct wf_scenario scenario;
-    struct wf_anchorage_request anchorage;
-    struct wf_solve_options options;
-    struct wf_analysis an;
-};
 
 static const double winds[] = { 5, 12, 30 };
 enum { WINDS = 3 };
@@ -32,20 +16,14 @@ enum { WINDS = 3 };
 /* Given: moment at 0.25 deg [N m], 0: nothing is said; thinnest branch [m]. */
 static void analyse(struct made *m, const char *model, double pull, double from)
 {
-    *m = (struct made){ .anchorage = { .pull_moment = pull, .secant = NAN } };
-    m->diag.arena = &m->arena;
-    if (wf_species_read("species/weeping_willow.yaml", &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
-        wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
-        fail_msg("%s", m->err.text);
-    wf_scenario_default(&m->scenario);
+    made_read(m, "species/weeping_willow.yaml", model);
     m->scenario.peak.method = "mean";
-    if (pull > 0) m->scenario.anchorage = &m->anchorage;
-    wf_search_default(&m->search);
+    struct wf_anchorage_request *root = WF_TAKE(&m->arena, 1, struct wf_anchorage_request);
+    assert_non_null(root);
+    *root = (struct wf_anchorage_request){ .pull_moment = pull, .secant = NAN };
+    if (pull > 0) m->scenario.anchorage = root;
     m->search.branches_from = from;
-    wf_solve_options_default(&m->options);
-    if (wf_analyze(&m->species, &m->model, &m->scenario, &m->search, wf_solvers[0], &m->options, winds, WINDS,
-                   &m->arena, &m->diag, &m->an, &m->err))
-        fail_msg("%s", m->err.text);
+    made_analyse(m, winds, WINDS);
 }
 
 static bool warned(const struct made *m, const char *code)
@@ -142,7 +120,7 @@ static void not_assessed(void **state)
     assert_null(wf_verdict_unassessed(&without.an, &v, WF_BREAKAGE));
     assert_null(wf_verdict_unassessed(&without.an, &v, WF_OVERTURNING_WET));
     assert_null(wf_verdict_unassessed(&without.an, &v, WF_SPLITTING)); /* it is solid */
-    assert_int_equal(v.criterion, WF_TORSION); /* its branches twist it */
+    assert_int_equal(v.criterion, WF_TORSION);                         /* its branches twist it */
     v = verdict_of(with.an.breaks);
     assert_null(wf_verdict_unassessed(&with.an, &v, WF_OVERTURNING));
     for (int s = 0; s < WF_SCOPES; s++)

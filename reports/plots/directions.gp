@@ -23,10 +23,10 @@ stats AROUND using (abs(column("wind_m_s") - U) <= 1e-9*(1 + U) ? known(column("
 array COLUMN[3] = ["base_moment_Nm", LOSS_KNOWN[1] ? "lost_wind_m_s" : "critical_wind_m_s", LOSS_KNOWN[1] ? "critical_wind_m_s" : "stem_critical_wind_m_s"]
 stats AROUND using (known(column(COLUMN[2]))) name 'C' nooutput
 stats AROUND using (known(column(COLUMN[3]))) name 'S' nooutput
-array TOP[2] = [M_max > 0 ? M_max : 1, C_max > 0 ? C_max : 1]
-if (trees == 1 && S_max > TOP[2]) { TOP[2] = S_max }
-array TITLE[2] = [sprintf(L('AROUND_MOMENT'), sprintf('%g', number('WIND_LAST', 0))), L('AROUND_CRITICAL')]
-array SCALE[3] = [1e-3, 1, 1]
+array TOP[2] = [M_max > 0 ? PER[MOMENT]*M_max : 1, C_max > 0 ? PER[SPEED]*C_max : 1]
+if (trees == 1 && PER[SPEED]*S_max > TOP[2]) { TOP[2] = PER[SPEED]*S_max }
+array TITLE[2] = [sprintf(in_units(L('AROUND_MOMENT')), said(SPEED, number('WIND_LAST', 0))), in_units(L('AROUND_CRITICAL'))]
+array SCALE[3] = [1e-3*PER[MOMENT], PER[SPEED], PER[SPEED]]
 stats AROUND using (at(1, U) ? 1 : NaN) name 'N' nooutput
 COUNT = int(N_records)
 do for [p=1:2] {

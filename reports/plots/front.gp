@@ -50,11 +50,14 @@ load HERE.'start.gp'
 set key off
 set xrange [low:high]; set yrange [floor:top]
 step = 1000.0
-do for [s in "500 200 100 50 20 10 5 2 1 0.5 0.2 0.1 0.05 0.02 0.01"] { step = real(s)*scale >= 32 ? real(s) : step }
-set xtics step; set ytics step
+do for [s in "500 200 100 50 20 10 5 2 1 0.5 0.2 0.1 0.05 0.02 0.01"] { step = lengths(real(s))*scale >= 32 ? real(s) : step }
+if (turned) {
+    set xtics ('0' 0); set ytics ('0' 0)
+    do for [k=-100:100] { set xtics add (tic(k*step) lengths(k*step)); set ytics add (tic(k*step) lengths(k*step)) }
+} else { set xtics step; set ytics step }
 set lmargin at screen LEFT/WIDTH; set rmargin at screen (LEFT + w)/WIDTH
 set tmargin at screen (HEIGHT - TITLE)/HEIGHT; set bmargin at screen (HEIGHT - TITLE - h)/HEIGHT
-set xlabel L('ALONG') offset 0,0.4; set ylabel L('HEIGHT') offset 0.8,0
+set xlabel in_units(L('ALONG')) offset 0,0.4; set ylabel in_units(L('HEIGHT')) offset 0.8,0
 # from blue over grey to dark red-brown, seen alike by the colour-blind
 set palette defined (0 '#56B4E9', 25 '#0072B2', 50 '#E69F00', 75 '#D55E00', 100 '#5a1a00')
 set cbrange [0:100]; set cbtics 25 scale 0.4
@@ -67,7 +70,7 @@ if (n && FULL > 0) {
         z = top/1.05*(b - 0.5)/BINS
         if (arrow(b) > 0.02*reach) { set arrow b from from, z to from + arrow(b), z head filled size first 0.018*top, 20 lw 1.4 lc rgb '#0072B2' front }
     }
-    set label 1 sprintf(L('WIND_LOAD'), FULL/1e3) at from, top*0.985 font ',10.5' textcolor rgb '#0072B2'
+    set label 1 (turned ? put(L('WIND_LOAD'), '%.1f kN', said(FORCE, FULL/1e3).' '.UNIT[FORCE]) : sprintf(L('WIND_LOAD'), FULL/1e3)) at from, top*0.985 font ',10.5' textcolor rgb '#0072B2'
 }
 px = 0.0; py = 0.0; ox = 0.0; oy = 0.0
 few = ROWS[1] <= 5000

@@ -19,8 +19,21 @@ KEY_ROWS = (trees + KEY_COLUMNS - 1)/KEY_COLUMNS
 key_name(i) = short(NAME[i], 500/KEY_COLUMNS - 20)
 STRONG = text_of('STRONG', 0)
 SPEED_MAX = number('SPEED_MAX', 0)
+# Units of the page, by the kind of a quantity: what data are multiplied with, and how it is called; without the facts metric.
+SPEED = 1; LENGTH = 2; MOMENT = 3; STRESS = 4; FORCE = 5
+array METRIC[5] = ['m/s', 'm', 'kN m', 'MPa', 'kN']
+array UNIT[5]; array PER[5]
+do for [i=1:5] { UNIT[i] = strlen(text_of('UNIT', i)) ? text_of('UNIT', i) : METRIC[i]; PER[i] = strlen(text_of('UNIT', i)) ? number('FACTOR', i) : 1.0 }
+put(s, a, b) = strstrt(s, a) ? s[1:strstrt(s, a) - 1].b.s[strstrt(s, a) + strlen(a):] : s
+in_units(s) = (IN_S = s, (sum [FACTS_J=1:5] (IN_S = put(IN_S, '['.METRIC[FACTS_J].']', '['.UNIT[FACTS_J].']'), 0)), \
+    IN_S = put(IN_S, '%s m/s', '%s '.UNIT[SPEED]), IN_S = put(IN_S, '%s m ', '%s '.UNIT[LENGTH].' '), IN_S)
+turned = PER[SPEED] != 1
+said(k, x) = turned ? sprintf(PER[k]*x >= 1000 ? '%.0f' : '%.3g', PER[k]*x) : sprintf('%g', x)
 # as typed; what was converted, with three figures
-speed(u) = (abs(10*u - floor(10*u + 0.5)) < 1e-6 ? sprintf('%g m/s', u) : sprintf('%.3g m/s', u))
+speed(u) = (turned || abs(10*u - floor(10*u + 0.5)) < 1e-6 ? said(SPEED, u) : sprintf('%.3g', u)).' '.UNIT[SPEED]
+# Axes of lengths are drawn in metres: where a tic stands that the page's unit calls x, and its label.
+lengths(x) = x/PER[LENGTH]
+tic(x) = put(sprintf('%g', x), '-', '−')
 
 # A plot that looks at some rows of a table alone (every ::first::last) reads the others without converting them. The rows of
 # tree i at its n-th wind speed with an answer are row_first(i, n) to row_last(i, n), when rows.gp was loaded

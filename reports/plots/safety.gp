@@ -23,10 +23,10 @@ do for [n=1:words(STRONG)] {
     from = S_min > 0 && S_min < from ? S_min : from
 }
 from = from < 0.1 ? 0.1 : from
-set xrange [0:SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
+set xrange [0:PER[SPEED]*SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
 set ytics add ("0.1" 0.1, "0.2" 0.2, "0.5" 0.5, "1" 1, "2" 2, "5" 5, "20" 20, "50" 50)
 set format y '%g'
-set xlabel sprintf(L('WIND'), sprintf('%g', number('REFERENCE', 0))); set ylabel L('SAFETY') offset 1,0
+set xlabel sprintf(in_units(L('WIND')), said(LENGTH, number('REFERENCE', 0))); set ylabel L('SAFETY') offset 1,0
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
 set tmargin at screen 1 - ABOVE/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
 # Critical speeds: a line up to the figure, which stands above the plot, where no curve passes; close neighbours stand above one
@@ -36,19 +36,19 @@ do for [n=1:words(STRONG)] {
     if (u == u && u <= SPEED_MAX) {
         near = 0
         do for [m=1:n-1] { near = near + (abs(CRITICAL[nth(STRONG, m)] - u) < 0.1*SPEED_MAX ? 1 : 0) }
-        set arrow from u, 1 to u, 1.1*most nohead lt i lw 1
-        set label '' at u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
+        set arrow from PER[SPEED]*u, 1 to PER[SPEED]*u, 1.1*most nohead lt i lw 1
+        set label '' at PER[SPEED]*u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
         name = speed(real(sprintf('%.1f', u)))
-        set label name at u, graph 1 center offset 0,0.6 + near%2 textcolor rgb '#202020'
+        set label name at PER[SPEED]*u, graph 1 center offset 0,0.6 + near%2 textcolor rgb '#202020'
     }
 }
 if (words(STRONG) == 0) {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040'   # no strength is known: the frame alone
 } else {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040', \
-         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)) && LOSS_KNOWN[nth(STRONG, n)], column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n) lw 0.8 dt 3, \
-         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), column("wind_m_s"))):(column(safety_of(n))) with lines lt nth(STRONG, n), \
-         for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), column("wind_m_s"))):(column(safety_of(n))) with points lt nth(STRONG, n) lw 1
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)) && LOSS_KNOWN[nth(STRONG, n)], PER[SPEED]*column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n) lw 0.8 dt 3, \
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), PER[SPEED]*column("wind_m_s"))):(column(safety_of(n))) with lines lt nth(STRONG, n), \
+         for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), PER[SPEED]*column("wind_m_s"))):(column(safety_of(n))) with points lt nth(STRONG, n) lw 1
 }
 load HERE.'strip.gp'
 set key maxcols KEY_COLUMNS

@@ -32,24 +32,24 @@ do for [i=1:trees] {
 last(i, k) = stem(i, k) && column("segment") == TIP[i]
 load HERE.'start.gp'
 set multiplot
-set yrange [0:1.03*top]; set ytics autofreq
+set yrange [0:1.03*PER[LENGTH]*top]; set ytics autofreq
 do for [i=1:trees] {
     c = (i-1)%columns; b = (i-1)/columns
     x0 = LEFT + c*(w + GAP)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
-    if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    if (c == 0) { set ylabel in_units(L('HEIGHT')) offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
     do for [panel=0:1] {
         y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - panel*(h + UNDER)
         set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
         if (panel) { unset title } else { set title short(NAME[i], trees == 1 ? 560 : w + GAP) offset 0,-0.5 }
-        set xlabel (panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
+        set xlabel in_units(panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
         A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
-        unit = panel ? 1.0 : 1e-3
-        most = panel ? stress : moment
+        unit = panel ? PER[STRESS] : 1e-3*PER[MOMENT]
+        most = panel ? PER[STRESS]*stress : PER[MOMENT]*moment
         set xrange [0:(most > 0 ? 1.05*most : 1)]
         # base ends of all rows, then the last row to its tip
-        plot for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(stem(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m" with lines lt nth(SOLVED[i], n), \
-             for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(last(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m":(unit*(column(B)-column(A))):(column("height1_m")-column("height0_m")) with vectors nohead lt nth(SOLVED[i], n), \
+        plot for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(stem(i, nth(SOLVED[i], n)), unit*column(A))):(PER[LENGTH]*column("height0_m")) with lines lt nth(SOLVED[i], n), \
+             for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(last(i, nth(SOLVED[i], n)), unit*column(A))):(PER[LENGTH]*column("height0_m")):(unit*(column(B)-column(A))):(PER[LENGTH]*(column("height1_m")-column("height0_m"))) with vectors nohead lt nth(SOLVED[i], n), \
              -1 with lines   # below the picture: a tree without answers still gets its axes
     }
 }

@@ -10,17 +10,17 @@ KEY = 12.0 + 18*KEY_ROWS
 WIDTH = 640.0; HEIGHT = 250.0 + KEY
 load HERE.'start.gp'
 set multiplot
-set xrange [0:SPEED_MAX]; set yrange [0:1e-3 < *] # a tree that does not move has an axis all the same
-set xlabel sprintf(L('WIND'), sprintf('%g', number('REFERENCE', 0)))
+set xrange [0:PER[SPEED]*SPEED_MAX]; set yrange [0:1e-3 < *] # a tree that does not move has an axis all the same
+set xlabel sprintf(in_units(L('WIND')), said(LENGTH, number('REFERENCE', 0)))
 bottom = (52.0 + KEY)/HEIGHT
 do for [panel=0:1] {
-    NAME_Y = panel ? "tip_angle_deg" : "tip_deflection_m"
-    set ylabel (panel ? L('TIP_ANGLE') : L('TIP_DEFLECTION')) offset 1,0
+    NAME_Y = panel ? "tip_angle_deg" : "tip_deflection_m"; SCALE_Y = panel ? 1.0 : PER[LENGTH]
+    set ylabel (panel ? L('TIP_ANGLE') : in_units(L('TIP_DEFLECTION'))) offset 1,0
     x0 = panel ? 392.0 : 72.0
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 234)/WIDTH
     set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen bottom
-    plot for [i=1:trees] SWEEP using (pick(of(i) && column("wind_m_s") <= SPEED_MAX, column("wind_m_s"))):NAME_Y with lines lt i, \
-         for [i=1:trees] SUMMARY using (pick(of(i) && strlen(SOLVED[i]) > 0, column("wind_m_s"))):NAME_Y with points lt i lw 1
+    plot for [i=1:trees] SWEEP using (pick(of(i) && column("wind_m_s") <= SPEED_MAX, PER[SPEED]*column("wind_m_s"))):(SCALE_Y*column(NAME_Y)) with lines lt i, \
+         for [i=1:trees] SUMMARY using (pick(of(i) && strlen(SOLVED[i]) > 0, PER[SPEED]*column("wind_m_s"))):(SCALE_Y*column(NAME_Y)) with points lt i lw 1
 }
 load HERE.'strip.gp'
 set key maxcols KEY_COLUMNS

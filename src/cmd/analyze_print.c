@@ -2,6 +2,7 @@
 #include "cmd/analyze_print.h"
 #include "base/num.h"
 #include "cmd/option.h"
+#include "cmd/print_measures.h"
 #include "cmd/print_walls.h"
 #include "data/model.h"
 #include "data/species.h"
@@ -11,7 +12,6 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
-#include "study/guy.h"
 #include "study/interval.h"
 #include "study/peak.h"
 #include "study/unions.h"
@@ -58,7 +58,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
         print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->hourly);
         print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->strongest);
     }
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 static void print_climate(FILE *to, const struct wf_analysis *an)
@@ -203,7 +203,7 @@ static void print_others(FILE *to, const struct wf_analysis *an, const struct wf
         wf_show(to, "  %s%s: ", wf_criteria[c].name, wf_criteria[c].whole ? "" : " of the stem");
         print_wind(to, an, &b->critical);
         print_event(to, an, (enum wf_criterion_id)c, b);
-        fputc('\n', to);
+        wf_show(to, "\n");
         if (!wf_criteria[c].whole) print_weight(to, an, b);
     }
     if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
@@ -257,7 +257,7 @@ static void print_room(FILE *to, const struct wf_analysis *an)
         print_event(to, an, room[k], b);
         double safety = last ? last->worst[room[k]][scope].safety : (double)NAN;
         if (isfinite(safety)) wf_show(to, "; at %.6g m/s %.0f %% of the limit", last->speed, 100 / safety);
-        fputc('\n', to);
+        wf_show(to, "\n");
     }
 }
 
@@ -275,7 +275,7 @@ static void print_class(FILE *to, const struct wf_analysis *an, const struct wf_
                 an->tree.z0[k->worst.row]);
         print_failing(to, an, k->worst.row);
     }
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 static void print_branches(FILE *to, const struct wf_analysis *an)
@@ -313,7 +313,7 @@ static void print_unions(FILE *to, const struct wf_analysis *an)
     for (size_t k = WF_UNION_CLASSES; u->n && k-- > 0;)
         wf_show(to, "%s %zu %s", k == WF_UNION_CLASSES - 1 ? ":" : ",", wf_unions_of(u, &wf_union_classes[k]),
                 wf_union_classes[k].text);
-    fputc('\n', to);
+    wf_show(to, "\n");
     if (u->n)
         wf_show(to, "%10s%10s%10s%10s%10s   %s\n%10s%10s%10s%10s\n", "at m", "branch", "parent", "parent",
                 "aspect", "class (" WF_UNIONS_SOURCE ")", "", "cm", "above, cm", "below, cm");
@@ -352,7 +352,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
         (v.loss->critical.outcome == WF_CRITICAL_FOUND || v.loss->critical.outcome == WF_CRITICAL_ABOVE))
         wf_show(to, ", at %.6g m over terrain %s", at.height, at.terrain->name);
     if (v.loss) print_event(to, an, v.criterion, v.loss);
-    fputc('\n', to);
+    wf_show(to, "\n");
     if (v.loss && !wf_criteria[v.criterion].whole) print_weight(to, an, v.loss);
     print_others(to, an, &v);
     print_anchorage(to, an);
@@ -381,7 +381,7 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
                 "; the wind at the tree at %.6g m is %.4g times the wind named, critical speeds are of the "
                 "wind named",
                 s->reference_height, ratio);
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 /* The crown's outline, so that a wrong scale is seen. */
@@ -480,7 +480,7 @@ static void print_tornado(FILE *to, const struct wf_interval *i)
         wf_show(to, "%s%s%s (%s)", before, wf_varied_prefix(v), v->name, range);
         before = "; ";
     }
-    if (*before == ';') fputc('\n', to);
+    if (*before == ';') wf_show(to, "\n");
 }
 
 static void print_safeties(FILE *to, const struct wf_interval *i, bool rooted)
@@ -546,28 +546,6 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, "\n");
 }
 
-void wf_print_guys(FILE *to, const struct wf_analysis *an)
-{
-    const struct wf_at_speed *at = &an->at[an->n - 1];
-    const struct wf_break *loss = wf_verdict_of(an->breaks).loss;
-    for (size_t k = 0; k < an->scenario.guys; k++) {
-        const struct wf_guy *g = &an->scenario.guy[k];
-        wf_show(to, "  guy at %.4g m to an anchor %.4g m away towards %.0f deg: ", g->height, g->distance,
-                degrees(g->towards));
-        if (at->status)
-            wf_show(to, "no equilibrium in %.4g m/s", at->speed);
-        else
-            wf_show(to, at->tie[k] > 0 ? "%.3g kN in %.4g m/s" : "slack in %.4g m/s",
-                    at->tie[k] > 0 ? at->tie[k] / 1e3 : at->speed, at->speed);
-        if (loss && loss->critical.outcome == WF_CRITICAL_FOUND && !loss->at.status)
-            wf_show(to, ", %.3g kN in the critical wind", loss->at.tie[k] / 1e3);
-        fputc('\n', to);
-    }
-    if (an->scenario.guys)
-        wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
-                an->loads.ties ? "; a foot that turns more than was computed puts more on them" : "");
-}
-
 void wf_print_wetted(FILE *to, const struct wf_analysis *an)
 {
     print_wetted(to, an->winter);
@@ -607,7 +585,7 @@ static void print_unassessed(FILE *to, const struct wf_analysis *an)
         wf_show(to, "%s%s (the species has no %s)", before, x->name, x->wants);
         before = ", ";
     }
-    if (*before == ',') fputc('\n', to);
+    if (*before == ',') wf_show(to, "\n");
 }
 
 /* Which limit of a thin wall is reached first, and what it is with the low end of the strength across the
@@ -617,11 +595,13 @@ static void print_wall(FILE *to, const struct wf_analysis *an, const struct wf_a
     static const enum wf_criterion_id limit[] = { WF_BREAKAGE, WF_SPLITTING, WF_OVALISATION };
     static const char *const does[] = { "breaks in bending", "splits", "flattens" };
     const struct wf_value *strength = &an->species->level[0].tangential_strength;
-    double least = INFINITY;
+    double least = INFINITY, lowest = INFINITY;
     size_t first = 0;
     for (size_t k = 0; k < WF_COUNT(limit); k++) {
         double safety = at->worst[limit[k]][WF_SCOPE_STEM].safety;
-        if (safety < least) least = safety, first = k;
+        double bound = wf_verdict_bound(&an->breaks[limit[k]][WF_SCOPE_STEM].critical);
+        if (!(bound < lowest) && !(bound == lowest && safety < least)) continue;
+        lowest = bound, least = safety, first = k;
     }
     if (!wf_criterion_known(&wf_criteria[WF_SPLITTING], &an->tree, WF_SCOPE_STEM) || isinf(least)) return;
     const struct wf_critical *k = &an->breaks[limit[first]][WF_SCOPE_STEM].critical;
@@ -638,7 +618,11 @@ static void print_criteria(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_branch_strength *b = an->branch_strength;
     const struct wf_at_speed *at = wf_verdict_wind(an);
-    if (!at || !wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_STEM)) return;
+    bool known = false;
+    for (int c = 0; c < WF_CRITERIA; c++)
+        known = known ||
+                (wf_criteria[c].section && wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_STEM));
+    if (!at || !known) return;
     wf_show(to,
             "\n  Stem by criteria; safety, place and stresses at %.6g m/s\n%18s%9s%8s%14s%8s%8s%10s%10s\n",
             at->speed, "", "safety", "wanted", "critical m/s", "gust", "at m", "stress", "bears MPa");
@@ -659,6 +643,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     wf_print_interval(to, an);
     print_branches(to, an);
     print_unions(to, an);
+    wf_print_removals(to, an);
     wf_print_walls(to, an);
     wf_print_wetted(to, an);
     print_directions(to, an);

@@ -18,8 +18,6 @@ void wf_print_speeds(FILE *to, const struct wf_analysis *an);
 void wf_print_searched(FILE *to, const struct wf_analysis *an);
 /* How sure the critical wind is; nothing where an analysis has no interval. */
 void wf_print_interval(FILE *to, const struct wf_analysis *an);
-/* Forces in the cables that hold the tree; nothing where there is none. */
-void wf_print_guys(FILE *to, const struct wf_analysis *an);
 /* The tree with rain, or snow and ice, beside itself without: a line each; nothing where there is none. */
 void wf_print_wetted(FILE *to, const struct wf_analysis *an);
 #endif

@@ -2,6 +2,7 @@
 #include "cmd/analyze_request.h"
 #include "base/num.h"
 #include "study/guy.h"
+#include "study/removal.h"
 #include "wind/climate.h"
 #include "wind/design.h"
 #include "wind/terrain.h"
@@ -29,6 +30,16 @@ static bool guy_unused(const void *options, const struct wf_option *row, char *w
     const struct wf_solver *s = solver_used(options);
     (void)row;
     return s && wf_option_unused(!s->ties, why, "with the solver '%s'", s->name);
+}
+
+static bool remove_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_analyze_options *o = options;
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    if (s && !s->tracked)
+        return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
+    return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
 }
 
 static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
@@ -136,12 +147,20 @@ const struct wf_option wf_analyze_options[] = {
         "pulls: 9m:8m:225deg:400kN/m:2kN; its force is printed, its strength and the anchor's are not "
         "assessed",
         .unused = guy_unused),
+    TEXTS("--remove", remove, "PART[+PART],...",
+          "beside the tree as it stands: without a level of branches (level:2, or its name) or the segment "
+          "with "
+          "an id and all that it carries (id:14)",
+          .unused = remove_unused),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     FLAG("--unions", unions,
          "also list the unions of branches from that thickness and forks by aspect ratio, the branch's "
          "diameter "
          "over that of the parent; their strength is not assessed"),
+    NUMBER("--node-spacing", node_spacing, "DISTANCE", LENGTH, "cm", 1, 500, NULL,
+           "longest distance between the nodes of a culm of bamboo: its diaphragms then hold the wall round, "
+           "by judgement [they are left out, on the safe side]"),
     NUMBER("--corridor", corridor, "DISTANCE", LENGTH, "m", 0.01, 200, NULL,
            "distance of a corridor, as of a power line, from the base of the stem: also the wind in which a "
            "part of the tree reaches it"),
@@ -277,12 +296,16 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
     if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
+    out->removed = NULL, out->removals = 0;
+    if (o->remove && (status = wf_removals_read(o->remove, a, &out->removed, &out->removals, e)))
+        return status;
     if (o->guys && (status = wf_guys_read(o->guys, o->north, a, &s->guy, &s->guys, e))) return status;
     s->winds_said = o->args.winds_said;
     s->wind_notes = o->args.wind_notes;
     s->azimuth = o->azimuth;
     if (o->corridor > 0) s->corridor = o->corridor, s->corridor_towards = o->corridor_towards;
     if (o->tip_angle > 0) s->tip_angle = o->tip_angle;
+    if (o->node_spacing > 0) s->node_spacing = o->node_spacing;
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;

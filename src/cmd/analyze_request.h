@@ -37,8 +37,9 @@ struct wf_analyze_options {
     double root_stiffness, speed_up;              /* [N m rad-1]; [-]; NAN: not given          */
     double branches_from;                         /* [m]                                       */
     double corridor, corridor_towards, tip_angle; /* [m], [rad], [rad]; NAN: not given */
+    double node_spacing;                          /* [m]; NAN: not given */
     bool unions;
-    const char *guys; /* NULL: none */
+    const char *guys, *remove; /* NULL: none */
     struct wf_pages pages;
     struct wf_job job;
 };
@@ -52,6 +53,8 @@ struct wf_analyze_request {
     const struct wf_solver *solver;
     const struct wf_preset *preset;
     struct wf_directions_request directions; /* n = 0: none */
+    const struct wf_removed *removed;        /* what the tree is shown without */
+    size_t removals;
 };
 
 /* Convert the options to a request. Files are read: a measured profile, a climate, a table of anchorage;

@@ -340,6 +340,14 @@ const struct wf_yaml_table *wf_args_study_table(struct wf_arena *a)
     return table;
 }
 
+/* What is printed from here on is in the units of the row --units, where the command has one. */
+static void set_units(const struct wf_args *args)
+{
+    for (size_t k = 0; args->option[k].name; k++)
+        if (!strcmp(args->option[k].name, "--units") && args->text[k] && strcmp(args->text[k], "metric") != 0)
+            wf_show_in(args->text[k]);
+}
+
 /* ---- Command lines ---- */
 
 int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char *about, size_t low,
@@ -382,6 +390,7 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     if (!out->text) wf_option_mistake(&r, NULL, "", "out of memory");
     if (!r.mistakes) {
         if (out->winds_said && !out->quiet) wf_show(stderr, "%s\n", out->winds_said);
+        set_units(out);
         wf_progress_start(out->quiet);
         return -1;
     }

@@ -241,6 +241,11 @@ static const struct wf_option card_rows[] = {
          "ground), a point a row, or an SVG file with one closed path"),
     NUMBER("--required-safety", required, "NUMBER", NONE, NULL, 1, 10, "1.5",
            "safety that is required, of arborists' practice"),
+    PATH("--extremes", extremes, "FOLDER|FILE", NULL,
+         "how often winds blow, for the return period of the critical wind: results of 'windfirm wind "
+         "extremes', or a table of annual maxima, 10-min means at 10 m over open country [the code's]"),
+    NUMBER("--life", life, "YEARS", NONE, NULL, 1, 1000, "10",
+           "time over which the chance of the critical wind is also given"),
     TEXT("--reduce", reduce, "SHARE|LENGTH", NULL,
          "beside the tree as it stands: its crown reduced all round, by a share of its height and width "
          "(20%) or "
@@ -275,10 +280,11 @@ static const struct wf_option card_rows[] = {
 
 /* Options of analyze that say something else, or nothing, of a card. */
 static const char *const left_out[] = {
-    "--output",          "--model",         "--tree",          "--joint",  "--leaf-area", "--rest",
-    "--scanned",         "--strict",        "--crown-outline", "--unload", "--tree-id",   "--scan-model",
-    "--force",           "--cap-children",  "--preset",        "--solver", "--shelter",   "--branches-from",
-    "--branch-strength", "--weight-stress", "--unions",
+    "--output",  "--model",        "--tree",          "--joint",           "--leaf-area",
+    "--rest",    "--scanned",      "--strict",        "--crown-outline",   "--unload",
+    "--tree-id", "--scan-model",   "--force",         "--cap-children",    "--preset",
+    "--solver",  "--shelter",      "--branches-from", "--branch-strength", "--weight-stress",
+    "--unions",  "--node-spacing", "--remove",
 };
 
 static bool is_left_out(const struct wf_option *row)
@@ -344,7 +350,20 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     if ((s = wf_card_model(&c, sp, a, out, e))) return s;
     if (o->name) out->name = o->name;
     beside.crown.width = beside.crown.depth = beside.crown.area = NAN; /* they are the card's */
-    return wf_tree_asked_onto(&beside, false, a, out, d, e);
+    beside.crown.leafless = NAN; /* of a tree in leaf it is that of its scenarios without leaves */
+    if ((s = wf_tree_asked_onto(&beside, false, a, out, d, e))) return s;
+    out->silhouette.leafless = o->run.tree.crown.leafless;
+    if (!isnan(out->silhouette.leafless) && out->season == WF_LEAF_ON && !o->leaf_off && !o->scenarios)
+        wf_diag_warn(d, "leaf-off-share", "%s: leaf_off_share has no effect on a tree in leaf", out->name);
+    return WF_OK;
+}
+
+struct wf_assess_often wf_assess_often_of(const struct wf_assess_options *o)
+{
+    struct wf_assess_often often = o->often;
+    often.design = &o->run.profile.design;
+    often.life = o->life;
+    return often;
 }
 
 /* ---- One tree apart ---- */
@@ -378,7 +397,7 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
 {
     enum wf_status s = wf_assess_model(&c->options, c->species, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
-    c->request.search.bare = !c->options.reports;
+    c->request.search.bare = c->request.search.held = !c->options.reports;
     if (c->request.search.bare &&
         !WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
         c->request.solve.mesh_tolerance = 0.0;
@@ -393,7 +412,7 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
 {
     struct wf_analyze_request *q = &c->request;
     const struct wf_speeds *wind = &c->options.run.wind;
-    const struct wf_design_words *design = &c->options.run.profile.design;
+    const struct wf_assess_often often = wf_assess_often_of(&c->options);
     double worst = q->scenario.azimuth;
     enum wf_status s = WF_OK;
     bool turns = !wf_assess_is_round(&c->model, &q->scenario) && !q->scenario.site;
@@ -405,7 +424,7 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
         s = wf_analyze(c->species, &c->model, &q->scenario, &q->search, q->solver, &q->solve, wind->speed,
                        wind->n, a, d, &c->an, e);
     if (!s) s = wf_interval_take(&c->an, &q->solve, &q->interval, true, a, e);
-    if (!s) s = wf_assess(&c->an, &q->solve, c->options.required, design->code ? design : NULL, &c->x, e);
+    if (!s) s = wf_assess(&c->an, &q->solve, c->options.required, &often, &c->x, e);
     if (turns) c->x.directions = WF_ASSESS_DIRECTIONS, c->x.direction = c->around;
     return s;
 }

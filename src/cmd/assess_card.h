@@ -18,6 +18,9 @@ struct wf_assess_options {
     bool leaf_off;
     const char *scenarios, *from; /* NULL: none */
     const char *reports;          /* folder, of a table; NULL: none */
+    const char *extremes;         /* folder or file; NULL: none */
+    double life;                  /* [years] */
+    struct wf_assess_often often; /* of `extremes`; no option */
 };
 
 /* Set the options that are not rows of assess, and give its rows; they end at name == NULL. */
@@ -30,6 +33,9 @@ bool wf_assess_changes(const struct wf_option *row);
  * known, only the card is checked. Errors: WF_EINPUT with mistakes in `d`; any other error is in `e`. */
 enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct wf_species *sp,
                                struct wf_arena *a, struct wf_model *out, struct wf_diag *d, struct wf_err *e);
+
+/* How often winds blow, by the options. */
+struct wf_assess_often wf_assess_often_of(const struct wf_assess_options *o);
 
 /* One tree in one wind, apart from a run of its own: with the changes of its options, without results. */
 struct wf_assess_case {

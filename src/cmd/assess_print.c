@@ -2,10 +2,12 @@
 #include "cmd/assess_print.h"
 #include "cmd/analyze_print.h"
 #include "cmd/option.h"
+#include "cmd/print_measures.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "fail/anchorage.h"
 #include "grow/silhouette.h"
+#include "out/verdict_part.h"
 #include "study/directions.h"
 #include "study/interval.h"
 #include "study/peak.h"
@@ -51,7 +53,7 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
     if (there != speed)
         wf_show(to, "\n        at the tree, terrain %s, %.1f m/s at %.4g m", s->category->name, there,
                 s->reference_height);
-    fputc('\n', to);
+    wf_show(to, "\n");
 }
 
 /* One reason a line. */
@@ -128,17 +130,49 @@ static void print_critical(FILE *to, const struct wf_analysis *an)
         wf_show(to, "    90 %% of %zu samples above %.0f m/s\n", i->n, i->low);
 }
 
+/* What the band of the extremes says of the return period. */
+static void print_band(FILE *to, const struct wf_assessment *x)
+{
+    if (isnan(x->years_low)) return;
+    wf_show(to, "    90 %% band of the fit: ");
+    if (!(x->years_low > 0))
+        wf_show(to, "down to less than the shortest return period of the fit");
+    else if (isinf(x->years_low))
+        wf_show(to, "above its longest return period");
+    else
+        wf_show(to, "%.*g", x->years_low < 10 ? 2 : 3, x->years_low);
+    if (isfinite(x->years_low) && isfinite(x->years_high) && x->years_high > 0)
+        wf_show(to, " to %.*g years\n", x->years_high < 10 ? 2 : 3, x->years_high);
+    else
+        wf_show(to, isinf(x->years_low) ? "\n" : " years to more than its longest return period\n");
+}
+
 static void print_years(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_assessment *x = an->assessment;
-    if (isnan(x->years))
+    char year[40], life[40];
+    if (isnan(x->years)) {
         wf_show(to, "  return period of that wind: unknown: %s\n", x->years_unknown);
-    else
-        wf_show(to, "  return period of that wind: %s%.*g years by %s, winds of all directions together\n",
-                x->years_most    ? "more than "
-                : x->years_least ? "less than "
-                                 : "about ",
-                x->years < 10 ? 2 : 3, x->years, an->scenario.design->title);
+        return;
+    }
+    wf_show(to,
+            x->years >= 1e5
+                ? "  return period of that wind: %s%.*f years by %s, winds of all directions together\n"
+                : "  return period of that wind: %s%.*g years by %s, winds of all directions together\n",
+            x->years_most    ? "more than "
+            : x->years_least ? "less than "
+                             : "about ",
+            x->years >= 1e5 ? 0
+            : x->years < 10 ? 2
+                            : 3,
+            x->years, x->years_by ? x->years_by : an->scenario.design->title);
+    wf_show(to, "    probability that it blows: %s a year, %s in %.4g years\n",
+            wf_assess_chance(x, x->exceedance, year), wf_assess_chance(x, x->over_life, life), x->life);
+    print_band(to, x);
+    if (isfinite(x->exceedance_low) && an->interval)
+        wf_show(to, "    at the low end of the critical wind, %.0f m/s: %s a year\n", an->interval->low,
+                wf_assess_chance(&(struct wf_assessment){ .years_most = x->exceedance_low <= 1e-6 },
+                                 x->exceedance_low, year));
 }
 
 static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d)
@@ -147,7 +181,7 @@ static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d
         wf_show(to, "%7.0f deg", compass(d[k].from));
         print_number(to, 7, d[k].breakage);
         print_number(to, 7, d[k].overturning);
-        if (k % 4 == 3 || k + 1 == n) fputc('\n', to);
+        if (k % 4 == 3 || k + 1 == n) wf_show(to, "\n");
     }
 }
 

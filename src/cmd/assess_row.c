@@ -9,6 +9,7 @@
 #include "data/species.h"
 #include "data/species_names.h"
 #include "load/drag.h"
+#include "out/verdict_part.h"
 #include "study/verdict.h"
 #include <ctype.h>
 #include <math.h>
@@ -183,17 +184,27 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
     fputc(separator, to);
     if (found) put_text(wf_criteria[by].name, separator, to);
     if (!years) return;
+    char text[40];
     fputc(separator, to), put_number(x->years_least || x->years_most ? (double)NAN : x->years, to);
+    fputc(separator, to);
+    if (isfinite(x->exceedance)) put_text(wf_assess_chance(x, x->exceedance, text), separator, to);
+    fputc(separator, to);
+    if (isfinite(x->over_life)) put_text(wf_assess_chance(x, x->over_life, text), separator, to);
     fputc(separator, to), put_number(x->breakage.height, to);
 }
 
 #define RESULT(p)                                                                                            \
     p "verdict", p "safety_breakage", p "safety_sound", p "safety_overturning", p "safety_low",              \
         p "safety_high", p "critical_wind_m_s", p "critical_gust_m_s", p "lost_by"
-static const char *const added[] = {
-    "wf_status",           "wf_reason",   RESULT("wf_"), "wf_return_period_years",
-    "wf_section_height_m", "wf_warnings", NULL
-};
+static const char *const added[] = { "wf_status",
+                                     "wf_reason",
+                                     RESULT("wf_"),
+                                     "wf_return_period_years",
+                                     "wf_exceedance_a_year",
+                                     "wf_exceedance_over_life",
+                                     "wf_section_height_m",
+                                     "wf_warnings",
+                                     NULL };
 static const char *const added_stand[] = { RESULT("wf_stand_"), NULL };
 
 void wf_tree_header_write(const struct wf_tree_columns *c, const char *header, FILE *to)

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "base/text.h"
+#include "cmd/assess_often.h"
 #include "cmd/assess_row.h"
 #include "cmd/commands.h"
 #include "out/results.h"
@@ -20,7 +21,7 @@
 enum { BATCH = 64 };
 
 struct table {
-    const struct wf_assess_options *line;
+    struct wf_assess_options *line;
     struct wf_arena arena;
     struct wf_rows rows;
     struct wf_tree_columns *columns;
@@ -281,6 +282,14 @@ static enum wf_status finish(struct table *t, struct wf_err *e)
     return WF_OK;
 }
 
+static enum wf_status read_extremes(struct table *t, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = &t->arena };
+    enum wf_status s = wf_assess_often_read(t->line->extremes, &t->arena, &d, &t->line->often, e);
+    wf_print_findings(&d, t->line->run.args.quiet);
+    return s;
+}
+
 static enum wf_status run(struct table *t, const char *file, const char *command, struct wf_err *e)
 {
     t->out = t->line->run.output;
@@ -295,7 +304,8 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     t->partial = wf_arena_print(&t->arena, "%s.partial", t->out);
     t->note = wf_arena_print(&t->arena, "%s.partial.run", t->out);
     if (!t->partial || !t->note) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
-    enum wf_status s = wf_rows_open(&t->rows, file, keep_line, t, e);
+    enum wf_status s = t->line->extremes ? read_extremes(t, e) : WF_OK;
+    if (!s) s = wf_rows_open(&t->rows, file, keep_line, t, e);
     if (!s) s = wf_tree_columns_open(&t->columns, &t->rows, t->line, e);
     if (!s) s = wf_input_file_note("table", file, &t->arena, &t->input, e);
     const char *note = s ? NULL : note_text(t, command, e);
@@ -318,7 +328,7 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     return s || !t->line->run.pages.xlsx ? s : write_workbook(t, e);
 }
 
-int wf_assess_table(const char *file, const struct wf_assess_options *line, const char *command)
+int wf_assess_table(const char *file, struct wf_assess_options *line, const char *command)
 {
     struct table *t = calloc(1, sizeof *t);
     struct wf_err e = { WF_OK, "" };

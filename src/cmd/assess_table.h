@@ -8,5 +8,5 @@
  * typed. Memory does not depend on the number of rows. The table grows under the name OUTPUT.partial beside
  * OUTPUT.partial.run, which says what it is of; the same command goes on where it ended. Returned: exit code:
  * 0 when every row was assessed, 2 when cells of rows cannot be, 1 when a computation or the run failed. */
-int wf_assess_table(const char *file, const struct wf_assess_options *line, const char *command);
+int wf_assess_table(const char *file, struct wf_assess_options *line, const char *command);
 #endif

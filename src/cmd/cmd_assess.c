@@ -5,6 +5,7 @@
 #include "cmd/args.h"
 #include "cmd/assess_card.h"
 #include "cmd/assess_fit.h"
+#include "cmd/assess_often.h"
 #include "cmd/assess_print.h"
 #include "cmd/assess_scenarios.h"
 #include "cmd/assess_table.h"
@@ -59,6 +60,8 @@ static enum wf_status take_tree(struct wf_analyze_work *run, struct wf_diag *d, 
     struct wf_diag unsaid = { .arena = &run->arena };
     struct wf_err why = { WF_OK, "" };
     if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
+    const char *extremes = w->options.extremes;
+    if (extremes && wf_assess_often_read(extremes, &run->arena, d, &w->options.often, e)) return e->code;
     if (w->options.from) return take_fit(w, d, e);
     if (wf_assess_list_read(&w->options, &run->arena, d, &w->list, e)) return e->code;
     bool known = !wf_species_named(w->options.species, &run->arena, sp, &unsaid, &why);
@@ -71,7 +74,7 @@ static enum wf_status take_direction(struct wf_analyze_work *run, struct wf_err 
     struct work *w = (struct work *)run;
     struct wf_analyze_request *q = &run->request;
     double worst = q->scenario.azimuth;
-    q->search.bare = !run->folder && !w->options.from;
+    q->search.bare = q->search.held = !run->folder && !w->options.from;
     if (w->options.from && put_fit(w, e)) return e->code;
     if (wf_assess_is_round(&run->model, &q->scenario) || q->scenario.site) return WF_OK;
     w->directions = WF_ASSESS_DIRECTIONS;
@@ -86,10 +89,9 @@ static enum wf_status take_assessment(struct wf_analyze_work *run, struct wf_ana
 {
     struct work *w = (struct work *)run;
     struct wf_assessment *out = WF_TAKE(&run->arena, 1, struct wf_assessment);
-    const struct wf_design_words *design = &run->options.profile.design;
+    const struct wf_assess_often often = wf_assess_often_of(&w->options);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for an assessment");
-    if (wf_assess(an, &run->request.solve, w->options.required, design->code ? design : NULL, out, e))
-        return e->code;
+    if (wf_assess(an, &run->request.solve, w->options.required, &often, out, e)) return e->code;
     out->directions = w->directions, out->direction = w->direction;
     an->assessment = out;
     if (wf_assess_list_run(&w->list, &w->options, run->species, &run->arena, out, e)) return e->code;

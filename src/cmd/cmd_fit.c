@@ -116,7 +116,7 @@ static void print_correlations(FILE *to, const struct wf_fit *f)
     for (size_t i = 0; i < f->free; i++) {
         wf_show(to, "%-34s", f->param[i].name);
         for (size_t k = 0; k <= i; k++) wf_show(to, " %6.3f", f->correlation[i * f->params + k]);
-        fputc('\n', to);
+        wf_show(to, "\n");
     }
 }
 
@@ -154,7 +154,7 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
                     of->x.test[k].name, s->frequency, 1.96 * s->frequency_sd, 100 * s->damping,
                     196 * s->damping_sd, 100 * s->explained);
         }
-    if (of->x.tests && of->input[0].swung) fputc('\n', to);
+    if (of->x.tests && of->input[0].swung) wf_show(to, "\n");
     print_correlations(to, f);
     print_sensors(to, f);
     for (size_t k = 0; k < f->free; k++) bound |= f->estimate[k].at_low || f->estimate[k].at_high;

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "out/template.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -13,7 +14,8 @@ struct init_options {
 };
 #define OPTIONS struct init_options
 static const struct wf_option options[] = {
-    TEXT("--output", output, "FILE", NULL, "where it is written; - prints it [NAME.yaml]", .letter = "-o"),
+    TEXT("--output", output, "FILE", NULL, "where it is written; - prints it [NAME.yaml; of template NAME]",
+         .letter = "-o"),
     { 0 },
 };
 
@@ -70,6 +72,16 @@ static enum wf_status check_name(const char *name, struct wf_err *e)
                           name);
 }
 
+/* A folder of templates of pages, to change. */
+static enum wf_status init_template(const char *name, const char *output, struct wf_err *e)
+{
+    const char *to = output && strcmp(output, "-") != 0 ? output : name;
+    enum wf_status s = check_name(name, e);
+    if (!s) s = wf_template_copy(to, e);
+    if (!s) wf_show(stdout, "%s written: change its files, and give its name to --template\n", to);
+    return s;
+}
+
 static enum wf_status init(const char *kind, const char *name, const char *output, struct wf_arena *a,
                            struct wf_err *e)
 {
@@ -102,14 +114,18 @@ int wf_cmd_init(int argc, char **argv)
         "KIND is that of a starter: tree (a card of what is measured with a tape, for assess), species (a "
         "table of wood and crown), model (the shape of a tree), study "
         "(an analysis "
-        "with its options), fit (a pulling test).\n"
-        "  windfirm init tree gate\n  windfirm init model my_oak\n  windfirm init study storm -o storms/january.yaml";
+        "with its options), fit (a pulling test); or template (a folder of stylesheets, words and style of "
+        "pages, for --template).\n"
+        "  windfirm init tree gate\n  windfirm init model my_oak\n  windfirm init study storm -o "
+        "storms/january.yaml";
     struct wf_arena arena = { 0 };
     struct init_options o;
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, options, about, 2, 2, &arena, &o.args);
     if (code < 0) {
-        enum wf_status s = init(o.args.operand[0], o.args.operand[1], o.output, &arena, &e);
+        bool pages = !strcmp(o.args.operand[0], "template");
+        enum wf_status s = pages ? init_template(o.args.operand[1], o.output, &e)
+                                 : init(o.args.operand[0], o.args.operand[1], o.output, &arena, &e);
         code = s ? wf_complain(&e) : 0;
     }
     wf_arena_free(&arena);

@@ -17,7 +17,14 @@ struct report_options {
 
 #define OPTIONS struct report_options
 static const struct wf_option options[] = {
-    WF_NO_PDF_ROW(pages), WF_XLSX_ROW(pages), WF_LANGUAGE_ROW(pages.lang), WF_QUIET_ROW, { 0 },
+    WF_NO_PDF_ROW(pages),
+    WF_XLSX_ROW(pages),
+    WF_LANGUAGE_ROW(pages.lang),
+    WF_UNITS_ROW(pages.units),
+    WF_TEMPLATE_ROW(pages),
+    WF_DOCX_ROW(pages),
+    WF_QUIET_ROW,
+    { 0 },
 };
 
 /* Was the error printed among the findings? */

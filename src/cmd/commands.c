@@ -7,6 +7,7 @@
 #include "data/species.h"
 #include "data/species_names.h"
 #include "load/drag.h"
+#include "out/page_units.h"
 #include "out/printer.h"
 #include "out/report.h"
 #include "out/results.h"
@@ -39,7 +40,8 @@ const struct wf_command wf_commands[] = {
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },
     { "init", "KIND NAME [-o FILE]",
-      "Begin a tree card, a species table, a model or a study: a commented file with the keys that matter.", wf_cmd_init },
+      "Begin a tree card, a species table, a model or a study: a commented file with the keys that matter.",
+      wf_cmd_init },
     { "modes", "SPECIES --model MODEL | --tree FILE [option...]",
       "Natural frequencies of a tree in still air and in wind: how it moves in each, and its damping.",
       wf_cmd_modes },
@@ -99,13 +101,24 @@ int wf_complain(const struct wf_err *e)
     return wf_exit_code(e->code);
 }
 
-void wf_print_findings(const struct wf_diag *d, bool quiet)
+/* A mistake keeps the units of the file that it is about; a warning is in those of the terminal. */
+static void print_finding(const struct wf_finding *f)
 {
     char line[2048];
+    struct wf_arena a = { 0 };
+    const char *text = wf_finding_print(f, line, sizeof line),
+               *turned = wf_show_units() && f->severity != WF_ERROR
+                             ? wf_page_units_turned(wf_show_units(), text, NULL, &a)
+                             : NULL;
+    wf_show(stderr, "%s\n", turned ? turned : text);
+    wf_arena_free(&a);
+}
+
+void wf_print_findings(const struct wf_diag *d, bool quiet)
+{
     wf_progress_clear();
     for (const struct wf_finding *f = d->first; f; f = f->next)
-        if (f->severity == WF_ERROR || !quiet)
-            wf_show(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
+        if (f->severity == WF_ERROR || !quiet) print_finding(f);
 }
 
 const char *wf_share(void)
@@ -252,7 +265,10 @@ enum wf_status wf_results_draw(const struct wf_run_folder *r, const struct wf_pa
 {
     struct wf_diag found = { .arena = d->arena };
     wf_stage_begin(0, false, "drawing plots and pages");
-    enum wf_status s = wf_report_make(r->stage, pages->lang, pages->no_pdf ? NULL : printer, &found, e);
+    const struct wf_page_style style = {
+        .language = pages->lang, .units = pages->units, .templates = pages->templates, .docx = pages->docx
+    };
+    enum wf_status s = wf_report_make(r->stage, &style, pages->no_pdf ? NULL : printer, &found, e);
     wf_progress_clear();
     wf_run_plain(r, e->text);
     for (const struct wf_finding *f = found.first; f; f = f->next) add_plain(r, f, d);

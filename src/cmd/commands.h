@@ -83,10 +83,13 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 
 /* Figures and pages of a results folder. */
 struct wf_pages {
-    const char *lang; /* "en" or "zh"                                                  */
-    bool none;        /* neither is made                                               */
-    bool xlsx;        /* tables also as a workbook                                     */
-    bool no_pdf;      /* the page is made for the screen alone; it can be printed later */
+    const char *lang;      /* "en" or "zh"                                                  */
+    const char *units;     /* "metric", "imperial" or "cn"                                  */
+    const char *templates; /* folder of templates of the page; NULL: the shipped ones    */
+    bool none;             /* neither is made                                               */
+    bool xlsx;             /* tables also as a workbook                                     */
+    bool docx;             /* the page also for a word processor                            */
+    bool no_pdf;           /* the page is made for the screen alone; it can be printed later */
 };
 
 /* Take the folder for the results of a run, before anything is computed; signals are caught from now on

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "base/yaml.h"
+#include "out/page_units.h"
 #include <assert.h>
 #include <math.h>
 #include <stdarg.h>
@@ -11,11 +12,45 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* The system of units of stdout, and the beginning of a line that is held back, in the arena. */
+static struct {
+    const char *system, *begun;
+    struct wf_arena arena;
+} turning;
+
+/* Print the whole lines of what was held back and of `text` in the units that are set. */
+static int put_turned(const char *text)
+{
+    const char *all = wf_arena_print(&turning.arena, "%s%s", turning.begun ? turning.begun : "", text),
+               *last = all ? strrchr(all, '\n') : NULL;
+    struct wf_arena before = turning.arena;
+    turning.arena = (struct wf_arena){ 0 };
+    size_t whole = last ? (size_t)(last - all) + 1 : 0;
+    const char *lines = whole ? wf_arena_print(&before, "%.*s", (int)whole, all) : "",
+               *turned = lines ? wf_page_units_turned(turning.system, lines, NULL, &before) : NULL;
+    turning.begun = all ? wf_arena_text(&turning.arena, all + whole) : NULL;
+    int n = turned && turning.begun && fputs(turned, stdout) >= 0 ? (int)strlen(text) : -1;
+    wf_arena_free(&before);
+    return n;
+}
+
+void wf_show_in(const char *system)
+{
+    const char *rest =
+        turning.begun ? wf_page_units_turned(turning.system, turning.begun, NULL, &turning.arena) : NULL;
+    if (rest) (void)fputs(rest, stdout);
+    wf_arena_free(&turning.arena);
+    turning.begun = NULL, turning.system = system;
+}
+
+const char *wf_show_units(void) { return turning.system; }
+
 static int put(FILE *to, const char *text, char end)
 {
     struct wf_arena a = { 0 };
     const char *safe = text ? wf_text_for_terminal(text, end, &a) : NULL;
-    int n = safe && fputs(safe, to) >= 0 ? (int)strlen(safe) : -1;
+    bool turned = turning.system && to == stdout;
+    int n = !safe ? -1 : turned ? put_turned(safe) : fputs(safe, to) >= 0 ? (int)strlen(safe) : -1;
     wf_arena_free(&a);
     return n;
 }

@@ -177,6 +177,11 @@ const char *wf_option_unit(const char *text);
  * path may hold anything; what would act on a terminal is shown escaped (base/text.h), and so is a line end
  * that is not one of `fmt`. Returned: bytes written, -1 on failure. */
 int wf_show(FILE *to, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* Turn what is printed to stdout into a system of units (out/page_units.h) from now on; lines are held back
+ * until they are whole. Given: the system, or NULL: what is held back is printed, and no more is turned. */
+void wf_show_in(const char *system);
+/* The system that is set; NULL: none. */
+const char *wf_show_units(void);
 /* Print a text of this program as it is, line ends included; it holds no names. */
 int wf_show_text(FILE *to, const char *text);
 #endif

@@ -9,6 +9,8 @@
 #include "grow/outline_svg.h"
 #include "grow/silhouette.h"
 #include "load/interception.h"
+#include "out/docx.h"
+#include "out/template.h"
 #include "solve/solve.h"
 #include "study/peak.h"
 #include "study/preset.h"
@@ -210,6 +212,20 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
     return wf_option_unused(p->none, why, "without a page");
 }
 
+bool wf_docx_row_wrong(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_pages *p = (const void *)((const char *)options + o->group);
+    struct wf_err e = { 0 };
+    return p->docx && wf_option_unused(wf_docx_possible(&e) != WF_OK, why, "%s", e.text);
+}
+
+bool wf_template_row_wrong(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_pages *p = (const void *)((const char *)options + o->group);
+    struct wf_err e = { 0 };
+    return p->templates && wf_option_unused(wf_template_check(p->templates, &e) != WF_OK, why, "%s", e.text);
+}
+
 static double metres(const char *unit)
 {
     if (!unit) return (double)NAN;
@@ -271,10 +287,10 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
         s = wf_outline_svg_read(t->outline, t->outline_base, t->outline_top, out, a, e);
     else if (t->outline)
         s = wf_outline_read(t->outline, out, a, d, e);
-    if (s || !(area || heavy)) return s;
+    if (s) return s;
     if (t->crown_form && !(out->width > 0))
         return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");
-    return wf_silhouette_check(out, e);
+    return area || heavy ? wf_silhouette_check(out, e) : WF_OK;
 }
 
 /* Bark and cavities of the command line, in place of the model's. */
@@ -301,6 +317,8 @@ enum wf_status wf_tree_asked_onto(const struct wf_tree_asked *t, bool imported, 
     if (off && area > 0)
         return wf_fail(e, WF_EUSAGE,
                        "--leaf-area: has no effect when the leaves have fallen (season leaf_off)");
+    if (!off && !isnan(t->crown.leafless))
+        return wf_fail(e, WF_EUSAGE, "--leaf-off-share: has no effect in leaf (season leaf_on)");
     wf_model_set_season(out, off ? WF_LEAF_OFF : WF_LEAF_ON);
     if (t->scanned) out->scanned = strcmp(t->scanned, "leaf_off") ? WF_SCANNED_LEAF_ON : WF_SCANNED_LEAF_OFF;
     if (t->rest) out->shape = strcmp(t->rest, "stress-free") ? WF_SHAPE_UNDER_WEIGHT : WF_SHAPE_STRESS_FREE;

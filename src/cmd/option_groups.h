@@ -9,6 +9,7 @@
 #include "grow/qsm_model.h"
 #include "load/scene.h"
 #include "out/job.h"
+#include "out/page_units.h"
 #include "wind/gust.h"
 
 /* Words of choices by number; NULL after the last. For a shelter, "none" comes first. */
@@ -31,13 +32,28 @@ const char *wf_import_word(size_t i);
  * "--no-plots"; `in`: a struct wf_pages (cmd/commands.h). */
 #define WF_QUIET_ROW QUIET("print errors only")
 #define WF_LANGUAGE_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of the report")
+#define WF_UNITS_ROW(m)                                                                                      \
+    WORD("--units", m, "SYSTEM", wf_page_units_word, "metric",                                               \
+         "of the printed page and of what the terminal says; results.json and tables stay in SI, columns "   \
+         "of the terminal, and figures of other pages than reports, metric")
+bool wf_template_row_wrong(const void *options, const struct wf_option *o, char *why);
+#define WF_TEMPLATE_ROW(in)                                                                                  \
+    PATH("--template", in.templates, "FOLDER", NULL,                                                         \
+         "make the page by the stylesheets, words and style of this folder ('windfirm init template' "       \
+         "writes one to change)",                                                                            \
+         .group = WF_MEMBER(in, struct wf_pages), .wrong = wf_template_row_wrong)
 bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *why);
 #define WF_NO_PDF_ROW(in)                                                                                    \
     FLAG("--no-pdf", in.no_pdf, "leave out the PDF of the page; 'windfirm report' prints it later",          \
          .group = WF_MEMBER(in, struct wf_pages), .unused = wf_pages_row_unused)
+bool wf_docx_row_wrong(const void *options, const struct wf_option *o, char *why);
+#define WF_DOCX_ROW(in)                                                                                      \
+    FLAG("--docx", in.docx, "write the page also for a word processor, PAGE.docx, by pandoc",                \
+         .group = WF_MEMBER(in, struct wf_pages), .unused = wf_pages_row_unused, .wrong = wf_docx_row_wrong)
 #define WF_XLSX_ROW(in) FLAG("--xlsx", in.xlsx, "write the tables also as one workbook, tables/tables.xlsx")
 #define WF_PAGE_ROWS(no, in, help)                                                                           \
-    FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_XLSX_ROW(in), WF_LANGUAGE_ROW(in.lang)
+    FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_XLSX_ROW(in), WF_LANGUAGE_ROW(in.lang),                   \
+        WF_UNITS_ROW(in.units), WF_TEMPLATE_ROW(in), WF_DOCX_ROW(in)
 
 /* Head of a report for a client; into a struct wf_job. */
 #define WF_JOB_ROWS(in)                                                                                      \

@@ -131,6 +131,20 @@ enum wf_status wf_tree_alloc_hollow(struct wf_tree *t, struct wf_arena *a, struc
     return WF_OK;
 }
 
+enum wf_status wf_tree_alloc_like(const struct wf_tree *like, size_t n, struct wf_arena *a,
+                                  struct wf_tree *out, struct wf_err *e)
+{
+    enum wf_status s = wf_tree_alloc(out, n, a, e);
+    if (!s && like->bark0) s = wf_tree_alloc_bark(out, a, e);
+    if (!s && like->section) s = wf_tree_alloc_sections(out, a, e);
+    if (!s && like->section && like->section->cavity) s = wf_tree_alloc_hollow(out, a, e);
+    if (!s && like->mass1 && !(out->mass1 = WF_TAKE(a, n, double)))
+        s = wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", n);
+    if (s) return s;
+    out->name = like->name, out->anchorage = like->anchorage, out->room = like->room;
+    return WF_OK;
+}
+
 static double *copy_column(const double *from, size_t n, struct wf_arena *a)
 {
     double *to = WF_TAKE(a, n, double);

@@ -44,6 +44,7 @@ struct wf_tree {
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
     double anchorage;      /* largest moment on the ground that the root carries [N m]; NAN: not known */
+    double node_spacing;   /* between the diaphragms of a hollow stem that are counted [m]; 0: none are */
     struct wf_room {       /* how far the tree may move */
         double corridor;   /* distance of a corridor from the base of the stem [m]; 0: none */
         double towards[2]; /* unit vector of the horizontal direction that it lies in */
@@ -91,6 +92,11 @@ enum wf_status wf_tree_stand(struct wf_tree *t, const struct wf_tree *worn, stru
  * the parent is the caller's. Of a row that is cut, a mass at its end and a curvature are not copied. */
 void wf_tree_copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
                        size_t at);
+
+/* The same with those columns of bark, sections, cavities and masses that another tree has; its name,
+ * anchorage and room. */
+enum wf_status wf_tree_alloc_like(const struct wf_tree *like, size_t n, struct wf_arena *a,
+                                  struct wf_tree *out, struct wf_err *e);
 
 /* Allocate columns of sections for the tree's n rows, zeroed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);

@@ -370,6 +370,28 @@ static void read_point(struct wf_csv *csv, const size_t column[2], const double 
                        1e-3 * c->moment[k], 1e-3 * c->moment[k - 1]);
 }
 
+/* What is doubtful about the largest moment of a curve. */
+static void doubt_top(const struct wf_tipping_curve *c, const char *path, struct wf_diag *d)
+{
+    const double dip = 0.9; /* rule of ours: less is scatter of the test */
+    size_t top = curve_top(c), first = 0;
+    if (top + 1 == c->n)
+        wf_diag_warn(d, "tipping-curve-end",
+                     "%s: the curve still rises at its end; its last moment, %.4g kN m, is taken as the "
+                     "anchorage, which is a lower bound",
+                     path, 1e-3 * c->moment[c->n - 1]);
+    for (size_t i = 1; i < top; i++) {
+        if (c->moment[i] > c->moment[first]) first = i;
+        if (!(c->moment[i] < dip * c->moment[first])) continue;
+        wf_diag_warn(
+            d, "tipping-curve-dip",
+            "%s: the curve falls from %.4g to %.4g kN m before its largest moment, %.4g kN m, which is "
+            "taken as the anchorage: a load that lasts drives the tree on from the first of these",
+            path, 1e-3 * c->moment[first], 1e-3 * c->moment[i], 1e-3 * c->moment[top]);
+        return;
+    }
+}
+
 enum wf_status wf_tipping_curve_read(const char *path, struct wf_arena *a, struct wf_diag *d,
                                      const struct wf_tipping_curve **out, struct wf_err *e)
 {
@@ -394,11 +416,7 @@ enum wf_status wf_tipping_curve_read(const char *path, struct wf_arena *a, struc
                       "the curve does not rise: its moments must grow with the angle before "
                       "they may fall");
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a tipping curve", path);
-    if (curve_top(c) + 1 == c->n)
-        wf_diag_warn(d, "tipping-curve-end",
-                     "%s: the curve still rises at its end; its last moment, %.4g kN m, is taken as the "
-                     "anchorage, which is a lower bound",
-                     path, 1e-3 * c->moment[c->n - 1]);
+    doubt_top(c, path, d);
     c->file = path;
     *out = c;
     return WF_OK;

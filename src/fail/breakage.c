@@ -2,7 +2,6 @@
 #include "base/vec3.h"
 #include "data/section.h"
 #include "fail/fail.h"
-#include "fail/fibre.h"
 #include <math.h>
 
 /* Load on the section at share `at` of row i. */

@@ -116,6 +116,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                       .source = "geometry of the bent tree",
                       .validity = "parts that are drawn, with their radius, at any height; the crown of a "
                                   "stem without branches is not",
+                      .shape = true,
                       .known = corridor_known,
                       .safety = corridor_safety },
     [WF_TIP_ANGLE] = { .name = "tip-angle",
@@ -123,6 +124,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                        .source = "geometry of the bent tree",
                        .validity = "from the unloaded shape, of a standing tree from the shape drawn",
                        .whole = true,
+                       .shape = true,
                        .known = tip_angle_known,
                        .safety = tip_angle_safety },
 };

@@ -82,6 +82,19 @@ enum wf_status wf_response_change(const struct wf_tree *t, const struct wf_respo
 /* Strength over stress [-]; INFINITY unstressed, NAN where the strength is not known. */
 double wf_safety_factor(double strength, double stress);
 
+/* Stresses at share s of row i, which is not a ring: lowest and highest of bending and axial force, tension
+ * positive, and the largest shear stress of torsion [Pa]. Given: force and moment that the upper part exerts
+ * on the section about the axis [N, N m], direction of the axis on the bent tree. Method: sigma = N/A + g.(p
+ * - c) at every fibre p of the outline, with g by the tensor of second moments about the centroid c;
+ * ellipses, rectangles and triangles by their principal axes, a triangle either way up; between two shapes
+ * that are mixed the larger stress. Torsion of these at most T shorter side / J. The section turns as its
+ * row's end. */
+struct wf_fibre {
+    double low, high, twist;
+};
+struct wf_fibre wf_fibre_stress(const struct wf_tree *t, const struct wf_response *r, size_t i, double s,
+                                const double force[3], const double moment[3], const double axis[3]);
+
 /* ---- Criteria ---- */
 
 /* The place nearest to failure. Utilisation is 1 / safety. */
@@ -123,6 +136,14 @@ double wf_wall_share(const struct wf_tree *t, size_t row, double s);
  * docs/failure.md. */
 double wf_wall_splits(double youngs, double tangential, double share);
 double wf_wall_flattens(double youngs, double transverse, double share);
+/* From this distance between nodes on, over the outer diameter, the diaphragms of a culm count as nothing
+ * [-]: judgement, not a measurement. */
+#define WF_NODES_APART 3.0
+/* How many times the stress splits or flattens the wall of a culm whose diaphragms hold the ring round [-].
+ * Given: distance between nodes; E_L, E_T / (1 - nu_LT nu_TL), 0: not known [Pa]; outer radius and wall [m].
+ * Method: a tube on the elastic foundation of its ring, held at both nodes and free to warp there; its reach
+ * is shortened to that of WF_NODES_APART where it is longer. Never below 1. docs/failure.md. */
+double wf_wall_held(double spacing, double youngs, double transverse, double radius, double thickness);
 
 struct wf_criterion {
     const char *name, *source, *validity;
@@ -131,6 +152,7 @@ struct wf_criterion {
     bool loses_tree;   /* the tree is lost where the stem fails by it, so that it can make the headline */
     double required;   /* safety that practice wants [-]; 0: 1 */
     bool whole;        /* of the whole tree: it belongs to the row of its root */
+    bool shape;        /* of positions or turns, whose error is not that of sums of loads */
     const struct wf_section_rule *section; /* criterion of sections; NULL: of the whole tree */
     /* Where `section` is NULL: is the resistance of a row known? Ask wf_criterion_knows. */
     bool (*known)(const struct wf_tree *t, size_t row);

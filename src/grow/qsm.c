@@ -119,9 +119,9 @@ static const struct {
     size_t offset, size;
 } columns[] = {
     COLUMN(id),    COLUMN(parent_id), COLUMN(parent), COLUMN(order), COLUMN(branch),
-    COLUMN(place), COLUMN(next_id),   COLUMN(limb),   COLUMN(next),  COLUMN(x0),
-    COLUMN(y0),    COLUMN(z0),        COLUMN(x1),     COLUMN(y1),    COLUMN(z1),
-    COLUMN(r0),    COLUMN(r1),        COLUMN(length), COLUMN(added), COLUMN(line),
+    COLUMN(place), COLUMN(next_id),   COLUMN(next),   COLUMN(x0),    COLUMN(y0),
+    COLUMN(z0),    COLUMN(x1),        COLUMN(y1),     COLUMN(z1),    COLUMN(r0),
+    COLUMN(r1),    COLUMN(length),    COLUMN(added),  COLUMN(line),
 };
 #undef COLUMN
 enum { COLUMNS = WF_COUNT(columns) };

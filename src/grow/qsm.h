@@ -74,7 +74,6 @@ struct wf_qsm {
     int32_t *place;          /* position in the branch, from 1                               */
     int64_t *next_id;        /* id of the row that continues the branch, as in the file; 0 = none */
     int32_t *next;           /* its row; -1 = none; set by wf_qsm_repair                     */
-    int32_t *limb;           /* `next`, else the thickest child; -1 = a tip; set by wf_qsm_repair */
     double *x0, *y0, *z0;    /* start [m]                                                    */
     double *x1, *y1, *z1;    /* end [m]                                                      */
     double *r0, *r1;         /* radius at start and end [m]; NAN = the file does not say     */

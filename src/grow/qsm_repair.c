@@ -454,17 +454,6 @@ static bool continues_other_order(const struct wf_qsm *q, size_t i)
     return next >= 0 && q->order[i] >= 0 && q->order[next] >= 0 && q->order[next] != q->order[i];
 }
 
-/* Set `limb`: the continuation of each row, or its thickest child if there is none. */
-static void find_limbs(struct wf_qsm *q)
-{
-    for (size_t i = 0; i < q->n; i++) q->limb[i] = q->next[i];
-    for (size_t i = 0; i < q->n; i++) {
-        int32_t p = q->parent[i];
-        if (p < 0 || q->next[p] >= 0) continue;
-        if (q->limb[p] < 0 || q->r0[i] > q->r0[q->limb[p]]) q->limb[p] = (int32_t)i;
-    }
-}
-
 /* Rows that became roots when a row without length was removed are stems too. The rows must be sorted. */
 static enum wf_status stems_of_order_0(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
@@ -474,7 +463,7 @@ static enum wf_status stems_of_order_0(struct wf_qsm *q, struct wf_arena *a, str
     return zero_roots(q, root, NULL, a, e);
 }
 
-/* Set branch orders (0 at the stem), continuations, limbs and branch numbers. The rows must be sorted. */
+/* Set branch orders (0 at the stem), continuations and branch numbers. The rows must be sorted. */
 static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_children c;
@@ -494,7 +483,6 @@ static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct 
         q->place[i] = goes_on ? q->place[p] + 1 : 1;
         if (q->next[i] < 0) q->next[i] = find_continuation(q, &c, (int32_t)i);
     }
-    find_limbs(q);
     return WF_OK;
 }
 

@@ -2,11 +2,10 @@
 #include "load/qsm_metrics.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/tree.h"
 #include "load/load.h"
 #include "load/scene.h"
 #include <math.h>
-
-static const double BREAST = 1.3; /* [m] */
 
 static int32_t main_root(const struct wf_qsm *q)
 {
@@ -16,22 +15,21 @@ static int32_t main_root(const struct wf_qsm *q)
     return root;
 }
 
-/* First row of the stem whose end lies at or above breast height; -1 when the stem is lower. Below breast
- * height a forked stem is followed along its thickest limb. */
-static int32_t breast_row(const struct wf_qsm *q, int32_t root)
+/* By the rule of data/tree.h, along the cylinders as the file has them. */
+static double breast_diameter(const struct wf_qsm *q)
 {
-    int32_t row = root;
-    while (row >= 0 && q->z1[row] < q->z0[root] + BREAST) row = q->limb[row];
-    return row;
-}
-
-static double breast_diameter(const struct wf_qsm *q, int32_t root)
-{
-    int32_t i = breast_row(q, root);
-    if (i < 0) return (double)NAN;
-    double rise = q->z1[i] - q->z0[i],
-           s = rise > 0 ? fmin(fmax((q->z0[root] + BREAST - q->z0[i]) / rise, 0), 1) : 0;
-    return 2 * (q->r0[i] + s * (q->r1[i] - q->r0[i]));
+    const struct wf_tree t = { .n = q->n,
+                               .parent = q->parent,
+                               .level = q->order,
+                               .x0 = q->x0,
+                               .y0 = q->y0,
+                               .z0 = q->z0,
+                               .x1 = q->x1,
+                               .y1 = q->y1,
+                               .z1 = q->z1,
+                               .r0 = q->r0,
+                               .r1 = q->r1 };
+    return wf_tree_breast(&t).diameter;
 }
 
 void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)
@@ -59,7 +57,7 @@ void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)
     m->height = high - low, m->width_x = x1 - x0, m->width_y = y1 - y0;
     m->crown_base -= low;
     m->base_diameter = 2 * q->r0[root];
-    m->dbh = breast_diameter(q, root);
+    m->dbh = breast_diameter(q);
 }
 
 /* Cosine of the angle between row i and the wind. */

@@ -11,7 +11,7 @@ struct wf_qsm_metrics {
     size_t cylinders, branches, tips, stems;
     int32_t highest_order;
     double height;           /* highest end above the lowest base [m] */
-    double dbh;              /* diameter of the main stem 1.3 m above its base [m]; NAN when it is lower */
+    double dbh;              /* diameter of the stem at 1.3 m, by wf_tree_breast [m]; NAN: it ends below */
     double base_diameter;    /* of the main stem's first row [m] */
     double length;           /* of all axes [m] */
     double volume;           /* wood and bark [m3] */

@@ -61,6 +61,7 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "gravity", "m/s2", s->gravity, 0.0, 100.0 },
         { "distance of the corridor", "m", s->corridor, 0.0, 1000.0 },
         { "limit of the tip's turn", "rad", s->tip_angle, 0.0, WF_PI },
+        { "distance between nodes", "m", s->node_spacing, 0.0, 10.0 },
     };
     if (!s->profile || !wf_profile_named(s->profile))
         return wf_fail(e, WF_EUSAGE, "unknown wind profile '%s'", s->profile ? s->profile : "");

@@ -21,6 +21,7 @@ struct wf_category;          /* wind/category.h */
 struct wf_design;            /* wind/design.h */
 struct wf_anchorage_request; /* fail/anchorage.h */
 struct wf_guy;               /* study/guy.h */
+struct wf_removed;           /* study/removal.h */
 
 /* States of a tree in a wind: in the mean wind; at the peak of the load on the whole tree; at the peak of the
  * load on one branch, which a gust reaches at once. */
@@ -86,10 +87,12 @@ struct wf_scenario {
     double least;       /* of the profile "code": height below which the wind is constant [m] */
     const struct wf_guy *guy; /* cables from the stem to the ground (study/guy.h) */
     size_t guys;
+    const struct wf_removed *removed;             /* branches that are taken off; NULL: none */
     const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
     double corridor;             /* distance of a corridor from the base of the stem [m]; 0: none */
     double corridor_towards;     /* where it lies, from +x towards +y [rad]; NAN: where the wind blows */
     double tip_angle;            /* limit of the turn of the stem's tip [rad]; 0: none */
+    double node_spacing;         /* longest distance between nodes of a culm whose diaphragms count [m]; 0 */
     struct wf_peak_request peak; /* how the peak load follows from the mean wind */
     const struct wf_wind_note *wind_notes; /* the same by parts; NULL: none */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no

@@ -55,7 +55,7 @@ bool wf_folder_names(const char *name)
     if (!name || strlen(name) >= WF_NAME_MAX) return false;
     for (const char *c = name; *c; c++)
         if ((unsigned char)*c < 0x20 || *c == 0x7f) return false;
-    bool placed = !strchr(name, '/') && (ends_in(name, ".html") || ends_in(name, ".pdf"));
+    bool placed = !strchr(name, '/') && (ends_in(name, ".html") || ends_in(name, ".pdf") || ends_in(name, ".docx"));
     for (int i = 0; i < WF_ROOMS; i++)
         placed |= !strncmp(name, wf_folder_rooms[i], strlen(wf_folder_rooms[i])) &&
                   name[strlen(wf_folder_rooms[i])] == '/';

@@ -26,7 +26,7 @@ void wf_folder_cell(FILE *f, double x, int digits);
 enum { WF_ROOMS = 3, WF_NAME_MAX = 256 };
 extern const char *const wf_folder_rooms[WF_ROOMS]; /* tables, plots, vtk */
 
-/* Is it a name of a file that a run can have made: in one of the rooms, or a page (*.html, *.pdf); no empty,
+/* Is it a name of a file that a run can have made: in one of the rooms, or a page (*.html, *.pdf, *.docx); no empty,
  * hidden or upward parts, no control characters? */
 bool wf_folder_names(const char *name);
 /* Open the folder that holds `name`, below the folder `dir`. make: folders that are missing are made.

@@ -6,8 +6,10 @@
 #include "data/species.h"
 #include "grow/silhouette.h"
 #include "load/drag.h"
+#include "study/assessment.h"
 #include "study/guy.h"
 #include "study/peak.h"
+#include "study/removal.h"
 #include "study/wetted.h"
 #include "wind/category.h"
 #include "wind/climate.h"
@@ -255,6 +257,8 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "corridor", limit[0], "m", "none is given");
     wf_doc_quantity(d, o, "corridor_towards", limit[1], "rad", "none is given, or where the wind blows");
     wf_doc_quantity(d, o, "tip_angle_limit", limit[2], "rad", "none is given");
+    wf_doc_quantity(d, o, "node_spacing", s->node_spacing > 0 ? s->node_spacing : NAN, "m",
+                    "no diaphragms are counted");
     wf_doc_quantity(d, o, "temperature", s->temperature, "K", NULL);
     wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);
     wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);
@@ -401,6 +405,25 @@ json_t *wf_part_guys(struct wf_doc *d, const struct wf_analysis *a)
         wf_doc_quantity(d, o, "stiffness", g->stiffness, "N/m", NULL);
         wf_doc_quantity(d, o, "pretension", g->pretension, "N", NULL);
         wf_doc_quantity(d, o, "pull", at->status ? (double)NAN : at->tie[k], "N", "no equilibrium");
+    }
+    return list;
+}
+
+json_t *wf_part_removals(struct wf_doc *d, const struct wf_removals *r)
+{
+    json_t *list = wf_doc_array(d);
+    for (size_t k = 0; k < r->n; k++) {
+        const struct wf_removal *x = &r->item[k];
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "name", x->what ? x->what->name : "");
+        wf_doc_number(d, o, "cut", x->cut);
+        wf_doc_flag(d, o, "flagged", x->cut > WF_ASSESS_CUT_FLAGGED);
+        wf_doc_quantity(d, o, "drag", x->drag, "N", "no equilibrium");
+        wf_doc_quantity(d, o, "weight", x->weight, "N", "no equilibrium");
+        wf_doc_quantity(d, o, "base_moment", x->base_moment, "N m", "no equilibrium");
+        wf_doc_quantity(d, o, "safety", x->safety, "1", "not assessed, or no equilibrium");
+        wf_doc_quantity(d, o, "critical_speed", x->critical, "m/s", "not found");
+        wf_doc_quantity(d, o, "searched_to", x->searched, "m/s", "");
     }
     return list;
 }

@@ -2,6 +2,7 @@
 #include "out/live.h"
 #include "base/csv.h"
 #include "out/doc.h"
+#include "out/page_units.h"
 #include <math.h>
 #include <string.h>
 
@@ -125,8 +126,21 @@ static enum wf_status read_shapes(const char *path, const json_t *results, json_
     return s;
 }
 
-enum wf_status wf_live_data(const char *folder, const json_t *results, struct wf_arena *a, const char **out,
-                            struct wf_err *e)
+/* What numbers are multiplied with and called: {"m/s": [2.24, "mph"], ...}; empty in metric units. */
+static json_t *units_part(struct wf_doc *d, const char *units)
+{
+    json_t *o = wf_doc_object(d);
+    const struct wf_page_unit *u;
+    for (size_t i = 0; (u = wf_page_unit_row(units, i))->from; i++) {
+        json_t *pair = wf_doc_put(d, o, u->from, wf_doc_array(d));
+        wf_doc_add(d, pair, json_real(u->factor));
+        wf_doc_add(d, pair, json_string(u->to));
+    }
+    return o;
+}
+
+enum wf_status wf_live_data(const char *folder, const json_t *results, const char *units, struct wf_arena *a,
+                            const char **out, struct wf_err *e)
 {
     struct wf_doc d = { 0 };
     char path[WF_PATH_MAX];
@@ -134,6 +148,7 @@ enum wf_status wf_live_data(const char *folder, const json_t *results, struct wf
     size_t i, n = 0, rows;
     json_array_foreach(json_object_get(results, "trees"), i, x) if (i < TREES)
         wf_doc_add(&d, trees, tree_part(&d, x));
+    wf_doc_put(&d, o, "units", units_part(&d, units));
     enum wf_status s = wf_folder_path(folder, "tables/shape.csv", path, e);
     if (!s) s = read_shapes(path, results, trees, false, true, &d, &n, e);
     if (!s) s = read_shapes(path, results, trees, n <= POINTS, false, &d, &rows, e);

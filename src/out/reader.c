@@ -29,7 +29,7 @@ static const struct {
     { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
             "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "guys union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+    { LIST, "guys removals union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
@@ -60,6 +60,7 @@ static const struct {
               "median_m_s middle_gust_m_s middle_m_s searched_to_m_s "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
+              "exceedance_a_year exceedance_over_life life_years return_period_low return_period_high "
               "required cut least_reduction least_reduction_cut "
       "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
               "frequency_with_restoring damping_ratio" },
@@ -87,11 +88,11 @@ static const struct {
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-      "weight_stress strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
+      "weight_stress node_spacing strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
-      "word return_period_bound "
+      "word return_period_bound return_period_by exceedance_a_year_text exceedance_over_life_text "
       "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "

@@ -4,13 +4,20 @@
 #include "base/interrupt.h"
 #include "base/text.h"
 #include "out/doc.h"
+#include "out/docx.h"
 #include "out/figures.h"
 #include "out/job.h"
 #include "out/live.h"
+#include "out/page_turn.h"
+#include "out/page_units.h"
 #include "out/printer.h"
 #include "out/reader.h"
 #include "out/results.h"
+<<<<<<< HEAD
 #include "out/tongue.h"
+=======
+#include "out/template.h"
+>>>>>>> main
 #include "out/tree_picture.h"
 #include "out/xml.h"
 #include <stdlib.h>
@@ -43,12 +50,16 @@ static const struct kind kinds[] = {
 };
 
 struct job {
-    const char *folder, *language;
+    const char *folder, *language, *units, *templates;
+    bool turned; /* units other than those the stylesheets are written in */
     const struct kind *kind;
     json_t *results;
     xmlDoc *document; /* <report lang="en"><results/><css/><figures/></report>, what every stylesheet reads */
     xmlNode *figures;
     struct wf_printer *printer; /* NULL: no PDF */
+    bool docx;
+    struct wf_figure *drawn; /* figures of the page by gnuplot; kept for the document alone */
+    size_t figures_drawn;
     struct wf_diag *d;
     struct wf_err *e;
     enum wf_status first; /* of the parts that could not be made */
@@ -123,21 +134,26 @@ static enum wf_status make_document(struct job *j)
     char path[WF_PATH_MAX];
     struct wf_arena scratch = { 0 };
     struct wf_bytes css = { 0 };
-    enum wf_status code = wf_report_asset("report.css", path, sizeof path, j->e);
+    enum wf_status code = wf_template_path(j->templates, "report.css", path, j->e);
     if (!code) code = wf_file_read_text(path, &scratch, &css, j->e);
     if (!code) {
         j->document = xmlNewDoc(BAD_CAST "1.0");
         xmlNode *root = j->document ? xmlNewDocNode(j->document, NULL, BAD_CAST "report", NULL) : NULL;
         if (root) xmlDocSetRootElement(j->document, root);
         if (!root || !xmlNewProp(root, BAD_CAST "lang", BAD_CAST j->language) ||
+            (j->turned && !xmlNewProp(root, BAD_CAST "units", BAD_CAST j->units)) ||
             !wf_xml_from_json(root, "results", j->results) ||
             !xmlNewTextChild(root, NULL, BAD_CAST "css", BAD_CAST css.data) ||
             !(j->figures = xmlNewChild(root, NULL, BAD_CAST "figures", NULL)))
             code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     }
     wf_arena_free(&scratch);
+<<<<<<< HEAD
     if (!code) code = translate(j);
     return code;
+=======
+    return !code && j->turned ? wf_page_guard(xmlDocGetRootElement(j->document), j->e) : code;
+>>>>>>> main
 }
 
 /* Add photograph and logo to the document: <picture name="photo">data:...</picture>. The folder may be a
@@ -194,7 +210,7 @@ static enum wf_status add_live(struct job *j)
     xmlNode *root = xmlDocGetRootElement(j->document), *node = NULL;
     enum wf_status code = wf_report_asset("live.js", path, sizeof path, j->e);
     if (!code) code = wf_file_read_text(path, &scratch, &script, j->e);
-    if (!code) code = wf_live_data(j->folder, j->results, &scratch, &data, j->e);
+    if (!code) code = wf_live_data(j->folder, j->results, j->units, &scratch, &data, j->e);
     if (!code && (name = script_name(&script, &scratch)))
         node = xmlNewTextChild(root, NULL, BAD_CAST "script", BAD_CAST script.data);
     if (!code && (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name) ||
@@ -223,6 +239,17 @@ static enum wf_status add_figure(struct job *j, const char *name, xmlDoc *svg, c
     return WF_OK;
 }
 
+/* A figure that was drawn, for PAGE.docx. */
+static enum wf_status keep_figure(struct job *j, const struct wf_figure *g)
+{
+    if (!j->docx) return WF_OK;
+    struct wf_figure *more = realloc(j->drawn, (j->figures_drawn + 1) * sizeof *more);
+    if (!more) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
+    j->drawn = more;
+    j->drawn[j->figures_drawn++] = *g;
+    return WF_OK;
+}
+
 /* Draw figures and add them to the document, WF_FIGURES_MAX at once. */
 static enum wf_status draw_figures(struct job *j, const struct wf_figure *g, size_t n)
 {
@@ -236,6 +263,7 @@ static enum wf_status draw_figures(struct job *j, const struct wf_figure *g, siz
         code = check_interrupt(j);
         for (size_t k = 0; k < some; k++) {
             if (why[k].code && !code) miss(j, "no-figure", &why[k]);
+            if (!code && !why[k].code) code = keep_figure(j, &g[first + k]);
             if (!code)
                 code = add_figure(j, g[first + k].name, svg[k], &why[k]);
             else
@@ -263,8 +291,20 @@ static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_e
     return s;
 }
 
+/* The units of the figures, by the numbers that reports/plots/report_facts.gp gives them. */
+static void write_units(struct wf_plot_data *p, const char *units)
+{
+    static const char *const metric[] = { "m/s", "m", "kN m", "MPa", "kN" };
+    for (size_t i = 0; i < sizeof metric / sizeof *metric; i++) {
+        const struct wf_page_unit *u = wf_page_unit_find(units, metric[i], strlen(metric[i]));
+        if (!u) continue;
+        wf_plot_data_text(p, "UNIT", i + 1, u->to);
+        wf_plot_data_number(p, "FACTOR", i + 1, u->factor);
+    }
+}
+
 /* FOLDER/plots/run.csv of a report, from its document: names, wind speeds, range of this run. */
-static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct wf_err *e)
+static enum wf_status write_plot_data(const char *folder, xmlDoc *report, const char *units, struct wf_err *e)
 {
     char style[WF_PATH_MAX];
     struct wf_plot_data p;
@@ -276,6 +316,7 @@ static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct
     if (!code) {
         for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
             if (n->type == XML_ELEMENT_NODE) code = plot_row(&p, n, e);
+        write_units(&p, units);
         if (!code) code = wf_plot_data_end(&p, e);
         wf_file_abandon(&p.f);
     }
@@ -311,7 +352,7 @@ static enum wf_status draw_report(struct job *j)
         g[n++] = (struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 };
     if (json_is_object(json_object_get(first, "directions")))
         g[n++] = (struct wf_figure){ "directions", "directions", 0 };
-    if (!write_plot_data(j->folder, j->document, &why)) {
+    if (!write_plot_data(j->folder, j->document, j->units, &why)) {
         if (tree && !lines) code = draw_tree(j);
         return code ? code : draw_figures(j, g, n);
     }
@@ -360,20 +401,37 @@ static enum wf_status draw_kind(struct job *j)
     return draw_figures(j, g, n);
 }
 
+/* A page that a user's templates made: no program but the report's own. */
+static enum wf_status clean_page(struct job *j, xmlDoc *page)
+{
+    xmlNode *script = xmlDocGetRootElement(j->document)->children;
+    while (script && strcmp((const char *)script->name, "script") != 0) script = script->next;
+    xmlChar *text = script ? xmlNodeGetContent(script) : NULL,
+            *name = script ? xmlGetProp(script, BAD_CAST "name") : NULL;
+    enum wf_status code = wf_template_clean(j->templates, page, (char *)text, (char *)name, j->e);
+    xmlFree(text), xmlFree(name);
+    return code;
+}
+
 static enum wf_status write_html(struct job *j, const char *html)
 {
+    bool whole = j->turned || j->templates; /* the page is looked at when it is whole, before it is written */
     char style[WF_PATH_MAX], name[64];
     struct wf_file f = { 0 };
+    struct wf_err why = { 0 };
     xmlDoc *page;
     snprintf(name, sizeof name, "%s.xsl", j->kind->page);
-    enum wf_status code = wf_report_asset(name, style, sizeof style, j->e);
+    enum wf_status code = wf_template_path(j->templates, name, style, j->e);
     if (!code) code = wf_file_begin(&f, html, j->e);
     if (code) return code;
-    code = wf_xml_transform(style, j->document, f.stream, &page, j->e);
-    if (!code) {
-        xmlFreeDoc(page);
-        code = wf_file_commit(&f, j->e);
-    }
+    code = wf_xml_transform(style, j->document, whole ? NULL : f.stream, &page, j->e);
+    if (!code && j->templates) code = clean_page(j, page);
+    if (!code && whole) code = wf_page_turn(j->units, page, f.stream, j->e);
+    if (!code) code = wf_file_commit(&f, j->e);
+    if (!code && j->docx &&
+        wf_docx_make(j->folder, j->kind->page, page, j->drawn, j->figures_drawn, j->language, &why))
+        miss(j, "no-docx", &why);
+    if (page) xmlFreeDoc(page);
     wf_file_abandon(&f);
     return code;
 }
@@ -394,18 +452,33 @@ static enum wf_status write_page(struct job *j)
     return WF_OK;
 }
 
-enum wf_status wf_report_make(const char *folder, const char *language, struct wf_printer *printer,
-                              struct wf_diag *d, struct wf_err *e)
+static bool is_system(const char *units)
+{
+    size_t i = 0;
+    while (wf_page_units_word(i) && strcmp(wf_page_units_word(i), units) != 0) i++;
+    return wf_page_units_word(i) != NULL;
+}
+
+enum wf_status wf_report_make(const char *folder, const struct wf_page_style *style,
+                              struct wf_printer *printer, struct wf_diag *d, struct wf_err *e)
 {
     struct job j = { .folder = folder,
-                     .language = language ? language : "en",
+                     .language = style && style->language ? style->language : "en",
+                     .units = style && style->units ? style->units : "metric",
+                     .templates = style ? style->templates : NULL,
+                     .docx = style && style->docx,
                      .printer = printer,
                      .d = d,
                      .e = e,
                      .interrupted = wf_interrupted() };
     if (strcmp(j.language, "en") != 0 && strcmp(j.language, "zh") != 0)
-        return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", language);
-    enum wf_status code = read_results(&j);
+        return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", j.language);
+    if (!is_system(j.units))
+        return wf_fail(e, WF_EUSAGE,
+                       "'%s' is not a system of units of the report; allowed: metric, imperial, cn", j.units);
+    j.turned = strcmp(j.units, "metric") != 0;
+    enum wf_status code = j.templates ? wf_template_check(j.templates, e) : WF_OK;
+    if (!code) code = read_results(&j);
     if (!code) code = make_document(&j);
     if (!code) code = add_pictures(&j);
     if (!code && j.kind->figure == report_figures) code = add_live(&j);
@@ -413,5 +486,6 @@ enum wf_status wf_report_make(const char *folder, const char *language, struct w
     if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);
     json_decref(j.results);
+    free(j.drawn);
     return code ? code : j.first;
 }

@@ -477,7 +477,7 @@ static bool ends_in(const char *name, const char *ending)
 /* Is a file drawn by the page maker, not read by it? */
 static bool is_drawn(const char *name)
 {
-    static const char *const drawn[] = { ".html", ".pdf", ".svg", ".png" };
+    static const char *const drawn[] = { ".html", ".pdf", ".docx", ".svg", ".png" };
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
         if (ends_in(name, drawn[i])) return true;
     return false;
@@ -614,8 +614,10 @@ enum wf_status wf_run_reopen(struct wf_run_folder *r, const char *folder, bool n
     *r = (struct wf_run_folder){ .again = true, .kept = json_array() };
     enum wf_status s = r->kept ? take(r, folder, NULL, e) : no_list(r, e);
     if (!s) s = r->before ? copy_listed(r, d, e) : r->unlisted ? copy_unlisted(r, d, e) : WF_OK;
-    for (size_t i = json_array_size(r->kept); i-- > 0 && no_pdf;)
-        if (ends_in(wf_folder_entry(json_array_get(r->kept, i)), ".pdf")) (void)json_array_remove(r->kept, i);
+    for (size_t i = json_array_size(r->kept); i-- > 0;) {
+        const char *name = wf_folder_entry(json_array_get(r->kept, i));
+        if (ends_in(name, ".docx") || (no_pdf && ends_in(name, ".pdf"))) (void)json_array_remove(r->kept, i);
+    }
     if (!s) s = copy_document(r, e);
     if (s) wf_run_abandon(r);
     return s;

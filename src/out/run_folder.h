@@ -34,7 +34,7 @@ struct wf_run_folder {
 enum wf_status wf_run_begin(struct wf_run_folder *r, const char *folder, const char *page, struct wf_err *e);
 /* Take a folder to draw its pages again: as wf_run_begin, but the folder must hold results, and those that
  * are to be drawn are copied into the stage, checked against the list of results.json. no_pdf: a PDF of the
- * run before is removed at the commit, because none is made in its place. Figures and pages that do not match
+ * run before is removed at the commit, because none is made in its place; so is a .docx that is not made anew. Figures and pages that do not match
  * are warnings (they are drawn again), as is a results.json without a list. Errors: WF_EINPUT naming what is
  * missing or is not of this run. */
 enum wf_status wf_run_reopen(struct wf_run_folder *r, const char *folder, bool no_pdf, struct wf_diag *d,

@@ -2,6 +2,7 @@
 #include "out/verdict_part.h"
 #include "data/model.h"
 #include "fail/anchorage.h"
+#include "out/extremes.h"
 #include "out/tables.h"
 #include "study/assessment.h"
 #include "study/limits.h"
@@ -246,6 +247,30 @@ static void put_scenarios(struct wf_doc *d, json_t *o, const struct wf_assessmen
     wf_doc_number(d, o, "least_reduction_cut", isfinite(x->reduction) ? x->reduction_cut : (double)NAN);
 }
 
+const char *wf_assess_chance(const struct wf_assessment *x, double p, char text[static 40])
+{
+    char share[32];
+    const char *bound = x->years_most ? "< " : x->years_least ? "> " : "";
+    const char *said = wf_extremes_share(p, share);
+    (void)snprintf(text, 40, "%s%s", *said == '<' || *said == '>' ? "" : bound, said);
+    return text;
+}
+
+/* How often the critical wind blows. */
+static void put_often(struct wf_doc *d, json_t *o, const struct wf_assessment *x)
+{
+    char text[40];
+    bool known = isfinite(x->exceedance);
+    wf_doc_text(d, o, "return_period_by", x->years_by);
+    wf_doc_number(d, o, "return_period_low", isfinite(x->years_low) ? x->years_low : (double)NAN);
+    wf_doc_number(d, o, "return_period_high", isfinite(x->years_high) ? x->years_high : (double)NAN);
+    wf_doc_number(d, o, "exceedance_a_year", x->exceedance);
+    wf_doc_text(d, o, "exceedance_a_year_text", known ? wf_assess_chance(x, x->exceedance, text) : NULL);
+    wf_doc_number(d, o, "exceedance_over_life", x->over_life);
+    wf_doc_text(d, o, "exceedance_over_life_text", known ? wf_assess_chance(x, x->over_life, text) : NULL);
+    wf_doc_number(d, o, "life_years", x->life);
+}
+
 json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
 {
     json_t *o = wf_doc_object(d);
@@ -266,6 +291,7 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
                 : x->years_most  ? "more"
                 : x->years_least ? "less"
                                  : "equal");
+    put_often(d, o, x);
     put_around(d, o, x->directions, x->direction);
     put_scenarios(d, o, x);
     return o;

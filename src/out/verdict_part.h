@@ -20,4 +20,8 @@ json_t *wf_part_loss(struct wf_doc *d, const struct wf_analysis *a,
                      const struct wf_break (*breaks)[WF_SCOPES]);
 /* `unions` of a tree that has them listed: classes, and the WF_UNIONS_SHOWN of the largest aspect ratios. */
 json_t *wf_part_unions(struct wf_doc *d, const struct wf_analysis *a);
+
+/* A probability of the critical wind in words, with the bound of its return period: "0.021", "< 1e-6".
+ * Returned: text. */
+const char *wf_assess_chance(const struct wf_assessment *x, double p, char text[static 40]);
 #endif

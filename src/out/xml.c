@@ -70,6 +70,7 @@ xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value
 struct complaint {
     char text[400];
 };
+enum { WF_PLACED = WF_PATH_MAX + 500 };
 
 __attribute__((format(printf, 2, 3))) static void keep(void *context, const char *fmt, ...)
 {
@@ -154,6 +155,27 @@ enum wf_status wf_xml_read(const char *path, xmlDoc **out, struct wf_err *e)
     return parse(path, "picture.svg", out, e);
 }
 
+/* What libxslt says of a stylesheet, with the file and line where it says so first: "FOLDER/NAME:LINE: ...".
+ */
+static const char *placed(const struct complaint *c, const char *path, char text[static WF_PLACED])
+{
+    int folder = strrchr(path, '/') ? (int)(strrchr(path, '/') - path) + 1 : 0, wide = 0;
+    unsigned line = 0;
+    const char *at = strstr(c->text, room), *rest = c->text, *name = at ? at + strlen(room) : NULL;
+    size_t n = name ? strspn(name, "abcdefghijklmnopqrstuvwxyz0123456789_-.") : 0;
+    if (n &&
+        (sscanf(name + n, " line %u%n", &line, &wide) == 1 || sscanf(name + n, ":%u:%n", &line, &wide) == 1))
+        rest = name + n + wide;
+    while (*rest == ' ') rest++;
+    if (line)
+        (void)snprintf(text, WF_PLACED, "%.*s%.*s:%u: %s", folder, path, (int)n, name, line, rest);
+    else
+        (void)snprintf(text, WF_PLACED, "%s: %s", path, c->text);
+    size_t end = strlen(text);
+    while (end && text[end - 1] == ' ') text[--end] = '\0';
+    return text;
+}
+
 /* What a stylesheet may do: read the files of its own folder. */
 static xsltSecurityPrefs *restrictions(void)
 {
@@ -166,6 +188,9 @@ static xsltSecurityPrefs *restrictions(void)
     return rule;
 }
 
+/* Of one transform, against a stylesheet that does not end; a report of 30 trees takes 11 millions of them. */
+enum { OPERATIONS = 100 * 1000 * 1000 };
+
 static enum wf_status apply(xsltStylesheet *style, xmlDoc *document, FILE *f, struct complaint *c,
                             xsltSecurityPrefs *rule, xmlDoc **out, const char *path, struct wf_err *e)
 {
@@ -174,10 +199,13 @@ static enum wf_status apply(xsltStylesheet *style, xmlDoc *document, FILE *f, st
     if (!run || xsltSetCtxtSecurityPrefs(rule, run))
         code = wf_fail(e, WF_ENOMEM, "%s: no memory to apply it", path);
     if (!code) {
+        char text[WF_PLACED];
         xsltSetTransformErrorFunc(run, c, keep);
+        run->opLimit = OPERATIONS;
+        run->xpathCtxt->opLimit = OPERATIONS;
         *out = xsltApplyStylesheetUser(style, document, NULL, NULL, NULL, run);
-        if (!*out || run->state != XSLT_STATE_OK)
-            code = wf_fail(e, WF_EOUTPUT, "%s: cannot be applied: %s", path, c->text);
+        if (!*out || run->state != XSLT_STATE_OK || c->text[0])
+            code = wf_fail(e, WF_EOUTPUT, "%s", placed(c, path, text));
         else if (f && xsltSaveResultToFile(f, *out, style) < 0 && !ferror(f))
             code = wf_fail(e, WF_ENOMEM, "%s: not enough memory to write its result", path);
     }
@@ -189,15 +217,16 @@ static enum wf_status compile_and_apply(xmlDoc *source, xmlDoc *document, FILE *
                                         xmlDoc **out, const char *path, struct wf_err *e)
 {
     enum wf_status code;
+    char text[WF_PLACED];
     xsltSecurityPrefs *rule = restrictions(), *usual = xsltGetDefaultSecurityPrefs();
     xsltSetDefaultSecurityPrefs(rule); /* imports are checked by the default ones */
     xsltStylesheet *style = rule ? xsltParseStylesheetDoc(source) : NULL;
     if (!style) {
         xmlFreeDoc(source);
-        code = rule ? wf_fail(e, WF_EINPUT, "%s: is not a stylesheet: %s", path, c->text)
+        code = rule ? wf_fail(e, WF_EINPUT, "%s", placed(c, path, text))
                     : wf_fail(e, WF_ENOMEM, "%s: no memory to apply it", path);
     } else if (style->errors) {
-        code = wf_fail(e, WF_EINPUT, "%s: %s", path, c->text);
+        code = wf_fail(e, WF_EINPUT, "%s", placed(c, path, text));
     } else {
         code = apply(style, document, f, c, rule, out, path, e);
     }

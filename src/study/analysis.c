@@ -11,6 +11,7 @@
 #include "load/winter.h"
 #include "study/guy.h"
 #include "study/node.h"
+#include "study/removal.h"
 #include "study/rest.h"
 #include "study/sway.h"
 #include "study/unions.h"
@@ -106,16 +107,28 @@ void wf_analysis_turned(struct wf_analysis *an)
     if (an->anchorage && s->anchorage) an->tree.anchorage *= wf_anchorage_left(s->anchorage, s->azimuth);
 }
 
+/* The diaphragms of a culm, where they are specified. */
+static enum wf_status diaphragms(struct wf_analysis *an, struct wf_err *e)
+{
+    an->tree.node_spacing = an->scenario.node_spacing;
+    if (!(an->tree.node_spacing > 0) || an->species->level[0].wall.n) return WF_OK;
+    return wf_fail(
+        e, WF_EUSAGE,
+        "--node-spacing %.4g m: diaphragms are of culms; the stem of %s is solid, or hollow by decay",
+        an->tree.node_spacing, an->species->name);
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
-    if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
+    if (s || (s = wf_tree_check(&an->tree, d, e)) || (s = wf_removal_onto(an, a, e))) return s;
     if (an->misread) wf_tree_scale(&an->tree, an->misread->height, an->misread->radius);
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s) s = wf_guys_onto(an, a, e);
     if (!s) s = anchor(an, a, e);
+    if (!s) s = diaphragms(an, e);
     if (s) return s;
     wf_analysis_turned(an);
     an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);

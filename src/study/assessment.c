@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/assessment.h"
+#include "base/num.h"
 #include "data/model.h"
 #include "study/directions.h"
 #include "study/interval.h"
 #include "study/sway.h"
 #include "study/verdict.h"
+#include "wind/category.h"
 #include "wind/design.h"
+#include "wind/extreme.h"
 #include <math.h>
+#include <string.h>
 
 const struct wf_assess_row wf_assess_rows[WF_ASSESS_WORDS] = {
     [WF_ASSESS_UNKNOWN] = { "unknown", "nothing could be assessed" },
@@ -127,24 +131,67 @@ static enum wf_status find_sound(const struct wf_analysis *an, const struct wf_s
     return s;
 }
 
-/* How often the critical wind blows, by the code of the given wind. */
-static void find_years(const struct wf_analysis *an, const struct wf_design_words *design,
+/* Return period at which a bound of the band reaches a speed; 0: below the first, INFINITY: above the last.
+ */
+static double band_years(const struct wf_assess_often *q, const double *bound, double speed)
+{
+    size_t k = 0;
+    while (k < q->levels && bound[k] < speed) k++;
+    if (k == 0) return 0;
+    if (k == q->levels) return INFINITY;
+    double share = (speed - bound[k - 1]) / (bound[k] - bound[k - 1]);
+    return exp(wf_between(log(q->years[k - 1]), log(q->years[k]), share));
+}
+
+/* By the distribution of annual maxima, which are 10-min means at 10 m over open country. */
+static void years_of_extremes(const struct wf_analysis *an, const struct wf_assess_often *q, double speed,
+                              struct wf_assessment *out)
+{
+    const double rarest = 0.999e-6; /* a year: a sample says nothing of what is rarer */
+    const struct wf_wind_place at = wf_scenario_place(&an->scenario);
+    out->years_by = q->source;
+    if (strcmp(at.terrain->name, "II") || fabs(at.height - 10) > 1e-9) {
+        out->years_unknown = "the winds are not named at 10 m over open country, where the extremes are";
+        return;
+    }
+    double p = wf_extreme_exceedance(q->extreme, speed);
+    out->years_most = out->years_most || p < rarest;
+    out->exceedance = fmax(p, rarest);
+    out->years = fmin(1 / out->exceedance, 1e6);
+    if (q->levels)
+        out->years_low = band_years(q, q->high, speed), out->years_high = band_years(q, q->low, speed);
+    if (an->interval && isfinite(an->interval->low))
+        out->exceedance_low = fmax(wf_extreme_exceedance(q->extreme, an->interval->low), rarest);
+}
+
+/* How often the critical wind blows. */
+static void find_years(const struct wf_analysis *an, const struct wf_assess_often *q,
                        struct wf_assessment *out)
 {
     struct wf_verdict v = wf_verdict_of(an->breaks);
     const struct wf_critical *c = v.loss ? &v.loss->critical : NULL;
-    out->years = NAN;
-    if (!design || !design->code) {
-        out->years_unknown = "the wind was not given by a code";
-    } else if (!c || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_ABOVE)) {
+    bool coded = q && q->design && q->design->code, found = c && c->outcome == WF_CRITICAL_FOUND;
+    out->years = out->years_low = out->years_high = NAN;
+    out->exceedance = out->over_life = out->exceedance_low = NAN;
+    out->life = q ? q->life : (double)NAN;
+    if (!coded && !(q && q->extreme)) {
+        out->years_unknown = "the wind was not given by a code, nor extremes (--extremes)";
+    } else if (!found && !(c && c->outcome == WF_CRITICAL_ABOVE)) {
         out->years_unknown = "no critical wind was found";
     } else {
-        double speed = c->outcome == WF_CRITICAL_FOUND ? c->speed : c->speed_high;
+        double speed = found ? c->speed : c->speed_high;
         int end = 0;
-        out->years = wf_design_years(design, speed / out->speed, &end);
-        out->years_least = end<0, out->years_most = end> 0 || c->outcome == WF_CRITICAL_ABOVE;
-        if (isnan(out->years)) out->years_unknown = "the code says nothing of other return periods";
+        out->years_most = !found;
+        if (q->extreme) {
+            years_of_extremes(an, q, speed, out);
+        } else {
+            out->years = wf_design_years(q->design, speed / out->speed, &end);
+            out->years_least = end<0, out->years_most = end> 0 || !found;
+            out->exceedance = 1 / out->years;
+            if (isnan(out->years)) out->years_unknown = "the code says nothing of other return periods";
+        }
     }
+    out->over_life = wf_extreme_over_years(out->exceedance, out->life);
 }
 
 static void find_reasons(const struct wf_analysis *an, struct wf_assessment *out)
@@ -169,7 +216,7 @@ static enum wf_assess_word word_of(const struct wf_assessment *x, bool lost)
 }
 
 enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
-                         const struct wf_design_words *design, struct wf_assessment *out, struct wf_err *e)
+                         const struct wf_assess_often *often, struct wf_assessment *out, struct wf_err *e)
 {
     const struct wf_at_speed *at = &an->at[an->n - 1];
     *out = (struct wf_assessment){ .required = required,
@@ -187,7 +234,7 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
     }
     enum wf_status s = find_sound(an, o, out, e);
     if (s) return s;
-    find_years(an, design, out);
+    find_years(an, often, out);
     find_reasons(an, out);
     out->word = word_of(out, at->status || wf_verdict_safety(at, NULL) <= 1);
     return WF_OK;

@@ -73,7 +73,12 @@ struct wf_assessment {
     double years;                 /* return period of the critical wind; NAN: unknown */
     bool years_least, years_most; /* it is less, more than `years` */
     const char *years_unknown;    /* why */
-    size_t directions;            /* 0: the same from all */
+    const char *years_by;         /* the file of the extremes; NULL: the code of the given wind */
+    double years_low, years_high; /* by the band of 90 % of the extremes; 0, INFINITY: beyond it; NAN: none */
+    double exceedance;      /* probability of the critical wind in a year [-], with the same bounds; NAN */
+    double over_life, life; /* the same in at least one of `life` years [-] */
+    double exceedance_low;  /* in a year, of the low end of the critical wind's interval [-]; NAN */
+    size_t directions;      /* 0: the same from all */
     const struct wf_assess_direction *direction;
     size_t scenarios;
     const struct wf_assess_scenario *scenario;
@@ -96,11 +101,21 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
                                 const struct wf_solve_options *o, double speed, double north,
                                 struct wf_assess_direction *out, double *worst, struct wf_err *e);
 
-/* Assess a finished analysis. Given: the required safety; the words of the design wind (NULL: none was
- * given), from which the return period follows. Returned: *out but for its directions. Errors: of the tree
- * with sound sections. */
+/* How often winds blow. */
+struct wf_assess_often {
+    const struct wf_design_words *design; /* by the code of the given wind; NULL: none was given */
+    const struct wf_extreme *extreme;     /* in place of it: of the largest 10-min mean of a year at 10 m over
+                                             open     country; NULL: none */
+    const char *source;                   /* of the latter */
+    size_t levels;                        /* its band: return periods, ascending, 90 % of their winds [m/s] */
+    const double *years, *low, *high;
+    double life; /* probabilities are also given over so many years */
+};
+
+/* Assess a finished analysis. Given: the required safety; how often winds blow, from which the return period
+ * follows. Returned: *out but for its directions. Errors: of the tree with sound sections. */
 enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
-                         const struct wf_design_words *design, struct wf_assessment *out, struct wf_err *e);
+                         const struct wf_assess_often *often, struct wf_assessment *out, struct wf_err *e);
 
 #ifdef __cplusplus
 }

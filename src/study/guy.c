@@ -99,24 +99,12 @@ static size_t stem_at(const struct wf_tree *t, double height, double *place)
     return found;
 }
 
-static enum wf_status room_for_cut(const struct wf_tree *t, struct wf_arena *a, struct wf_tree *out,
-                                   struct wf_err *e)
-{
-    enum wf_status s = wf_tree_alloc(out, t->n + 1, a, e);
-    if (!s && t->bark0) s = wf_tree_alloc_bark(out, a, e);
-    if (!s && t->section) s = wf_tree_alloc_sections(out, a, e);
-    if (!s && t->section && t->section->cavity) s = wf_tree_alloc_hollow(out, a, e);
-    if (!s && t->mass1 && !(out->mass1 = WF_TAKE(a, t->n + 1, double)))
-        s = wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n + 1);
-    return s;
-}
-
 /* The tree with a row cut in two at a share of its length. */
 static enum wf_status cut_row(struct wf_tree *t, size_t row, double place, struct wf_arena *a,
                               struct wf_err *e)
 {
     struct wf_tree out;
-    enum wf_status s = room_for_cut(t, a, &out, e);
+    enum wf_status s = wf_tree_alloc_like(t, t->n + 1, a, &out, e);
     if (s) return s;
     for (size_t i = 0; i < t->n; i++) {
         size_t at = i + (i > row);
@@ -128,8 +116,6 @@ static enum wf_status cut_row(struct wf_tree *t, size_t row, double place, struc
     out.parent[row + 1] = (int32_t)row;
     wf_tree_copy_part(t, row, place, 1, &out, row + 1);
     if (t->mass1) out.mass1[row + 1] = t->mass1[row];
-    out.name = t->name;
-    out.anchorage = t->anchorage, out.room = t->room;
     *t = out;
     return WF_OK;
 }

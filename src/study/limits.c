@@ -2,6 +2,7 @@
 #include "study/limits.h"
 #include "base/num.h"
 #include "data/model.h"
+#include "data/section.h"
 #include "data/species.h"
 #include "load/drag.h"
 #include "study/analysis.h"
@@ -152,7 +153,7 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
             "up to %.4g m/s%s; wind speeds from there to %.4g m/s were not searched",
             who, an->search.seconds, c->speed_low,
             c->speed_high < an->search.speed_max ? " and fails above" : "", c->speed_high);
-    if (c->outcome == WF_CRITICAL_ABOVE)
+    if (c->outcome == WF_CRITICAL_ABOVE && c->speed_high >= an->search.speed_max) /* not for another loss */
         wf_diag_warn(d, "critical-above-range",
                      "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,
                      an->search.speed_max);
@@ -191,13 +192,68 @@ static void check_size(const struct wf_analysis *an, struct wf_diag *d)
     if (diameter > 0)
         wf_diag_warn(
             d, "size-effect",
-            "%s: the stem breaks where its wood is %.2g m thick, and its modulus of rupture is taken as it "
-            "was measured, as a rule on clear specimens of 20 to 50 mm. Thick timber breaks at lower "
-            "stresses; that is not applied, and the critical wind of breakage may be too high. The rule of "
-            "timber design (power 1/9 of the depth, above 12 in) makes the strength %.0f to %.0f %% lower; "
-            "by Virot et al. 2016 it falls more",
+            "%s: the stem breaks, or is nearest to it, where its wood is %.2g m thick, and its modulus of "
+            "rupture is taken as it was measured, as a rule on clear specimens of 20 to 50 mm. Thick timber "
+            "breaks at lower stresses; that is not applied, and the critical wind of breakage may be too "
+            "high. "
+            "The rule of timber design (power 1/9 of the depth, above 12 in) makes the strength %.0f to %.0f "
+            "%% "
+            "lower; by Virot et al. 2016 it falls more",
             an->species->name, diameter, 100 * (1 - pow(large / diameter, power)),
             100 * (1 - pow(small / diameter, power)));
+}
+
+/* Diaphragms that are counted, and by how much where the wall is nearest to splitting or flattening. */
+static void check_diaphragms(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_tree *t = &an->tree;
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    double times = 1;
+    if (!(t->node_spacing > 0)) return;
+    for (int c = WF_SPLITTING; at && c <= WF_OVALISATION; c++) {
+        const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
+        if (w->row < 0) continue;
+        struct wf_wall wall = wf_section_wall(t, (size_t)w->row, w->place);
+        times = fmax(times, wf_wall_held(t->node_spacing, t->youngs[w->row], t->transverse[w->row],
+                                         wall.radius, wall.thickness));
+    }
+    wf_diag_warn(
+        d, "diaphragms",
+        "%s: the culm's diaphragms, %.3g m apart, are counted by judgement, not by measurement: where "
+        "the wall is nearest to splitting or flattening it bears up to %.3g times as much. Poles of "
+        "bamboo with their diaphragms did crack along the grain in bending tests; without "
+        "--node-spacing they are left out, which is on the safe side",
+        an->species->name, t->node_spacing, times);
+}
+
+/* Of a row and all that grows on it [m2]. */
+static double leaves_on(const struct wf_tree *t, size_t row)
+{
+    double sum = 0;
+    for (size_t i = row; i < t->n; i++) {
+        int32_t at = (int32_t)i;
+        while (at > (int32_t)row) at = t->parent[at]; /* parents come first */
+        if (at == (int32_t)row) sum += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
+    }
+    return sum;
+}
+
+/* A twig that breaks first because the leaves of many are on the few that are drawn. */
+static void check_twig(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const double most = 1e4; /* leaves over wood that real shoots have, a rule of ours [m2 m-2] */
+    const struct wf_break *b = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    const struct wf_tree *t = &an->tree;
+    if (b->row < 0 || t->level[b->row] == 0) return;
+    size_t twig = (size_t)b->row;
+    double thickness = 2 * fmax(t->r0[twig], t->r1[twig]), leaves = leaves_on(t, twig);
+    double wood = wf_ring_area(0.5 * thickness, 0);
+    if (!(thickness < an->search.branches_from) || !(leaves > most * wood)) return;
+    wf_diag_warn(d, "twig-leaves",
+                 "%s: the twig that breaks first, %.3g mm thick, carries %.2g m2 of leaves, %.2g m2 on each "
+                 "cm2 of its wood; shoots carry up to about 1 (a rule). The leaves of many twigs are on the "
+                 "few that are drawn: that it breaks in so weak a wind is an artefact",
+                 an->model->name, 1e3 * thickness, leaves, 1e-4 * leaves / wood);
 }
 
 void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d)
@@ -320,6 +376,8 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_corridor(an, d);
     check_unverified(an, d);
     check_size(an, d);
+    check_diaphragms(an, d);
+    check_twig(an, d);
     check_as_printed(an, d);
     check_assumed(an, d);
 }

@@ -8,6 +8,8 @@
 #include "grow/silhouette.h"
 #include "solve/firm.h"
 #include "solve/unload.h"
+#include "study/guy.h"
+#include "study/removal.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -72,8 +74,12 @@ static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct w
     struct wf_diag unsaid = { .arena = &scratch };
     struct wf_tree worn;
     wf_model_set_season(&then, season);
+    struct wf_analysis same = *an; /* to have the same rows */
     enum wf_status s = wf_grow(&then, an->species, &scratch, &worn, &unsaid, e);
-    if (!s) s = wf_tree_stand(&an->tree, &worn, a, e);
+    same.tree = worn, same.misread = NULL;
+    if (!s) s = wf_removal_onto(&same, &scratch, e);
+    if (!s) s = wf_guys_onto(&same, &scratch, e);
+    if (!s) s = wf_tree_stand(&an->tree, &same.tree, a, e);
     wf_arena_free(&scratch);
     return s;
 }

@@ -426,8 +426,8 @@ static enum wf_status totals_there(const struct search *q, const struct wf_solve
 }
 
 /* Is the stem's crossing on a mesh ten times as coarse as specified good enough? Its errors are loads summed
- * over all branches: it moves with the tolerance of the mesh or faster, and by what it moved from the mesh of
- * the search the rest is bounded. */
+ * over all branches (criteria of the shape are not searched so): it moves with the tolerance of the
+ * mesh or faster, and by what it moved from the mesh of the search the rest is bounded. */
 static bool settled(const struct search *q, const struct wf_solve_options *quick,
                     const struct wf_solve_options *fine, double before, double now)
 {
@@ -445,8 +445,8 @@ static enum wf_status finish(struct search *q, const struct wf_solve_options *qu
     const struct wf_node *node;
     double step = 0.0, before = c->speed;
     between.mesh_tolerance *= coarser;
-    bool between_first =
-        q->scope == WF_SCOPE_STEM && coarser * between.mesh_tolerance <= quick->mesh_tolerance;
+    bool between_first = q->scope == WF_SCOPE_STEM && !wf_criteria[q->criterion].shape &&
+                         coarser * between.mesh_tolerance <= quick->mesh_tolerance;
     if (q->an->search.bare && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
     q->o = between_first ? &between : fine;
     enum wf_status s = polish_sloped(q, c, &node, &step, e);

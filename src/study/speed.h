@@ -80,6 +80,7 @@ struct wf_search {
     bool bare; /* of the stem alone the given winds, and the lowest in which it is lost: other criteria are
                   then WF_CRITICAL_UNSEARCHED; there are neither curves nor modes, nor columns of the given
                   winds */
+    bool held; /* the sway beyond the given winds is that in the strongest of them, which is faster */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;
@@ -100,6 +101,7 @@ struct wf_sway_modes;
 struct wf_interval;
 struct wf_assessment;
 struct wf_unions;
+struct wf_removals;
 /* How a sample of a tree differs from the tree as measured. */
 struct wf_misread {
     double radius, height; /* factors on all its radii; on all its lengths [-] */
@@ -133,6 +135,7 @@ struct wf_analysis {
     const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
     const struct wf_assessment *assessment; /* study/assessment.h; NULL: not specified */
     const struct wf_unions *unions;         /* where search.unions says so (study/unions.h); else NULL */
+    const struct wf_removals *removals;     /* beside the tree without some branches; NULL: none */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
 };

@@ -126,7 +126,7 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
 static size_t pick_speeds(const struct wf_analysis *an, const double *given, size_t n, double *out)
 {
     const double shares[] = { 0.0, 0.2, 0.4, 0.7, 1.0 };
-    size_t k = 0, all = an->search.bare ? 1 : WF_COUNT(shares); /* beyond the given winds damping is held */
+    size_t k = 0, all = an->search.held ? 1 : WF_COUNT(shares); /* beyond the given winds damping is held */
     for (size_t i = 0; i < all; i++) out[k++] = shares[i] * an->search.speed_max;
     for (size_t i = 0; i < n && k < WF_PEAK_SWAYS; i++) {
         bool there = false;

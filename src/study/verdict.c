@@ -27,17 +27,24 @@ double wf_verdict_bound(const struct wf_critical *c)
  */
 static const double same = 1e-6;
 
+/* Does a result govern in place of one found before? A speed that was found goes before the end of another's
+ * search, which may be that very speed: no criterion is searched above one that was found. */
+static bool governs(const struct wf_critical *c, const struct wf_critical *before)
+{
+    double bound = wf_verdict_bound(c), lowest = wf_verdict_bound(before);
+    bool found = c->outcome == WF_CRITICAL_FOUND && before->outcome != WF_CRITICAL_FOUND;
+    return found ? bound <= lowest * (1 + same) : bound < lowest * (1 - same);
+}
+
 struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
 {
     struct wf_verdict v = { .loss = NULL };
-    double lowest = INFINITY;
     for (int c = 0; c < WF_CRITERIA; c++) {
         if (!wf_criteria[c].loses_tree) continue;
         const struct wf_break *b = &breaks[c][WF_SCOPE_STEM];
-        double bound = wf_verdict_bound(&b->critical);
         v.assessed[c] = b->critical.outcome != WF_CRITICAL_NO_STRENGTH;
-        if (v.loss && !(bound < lowest * (1 - same))) continue;
-        v.loss = b, v.criterion = (enum wf_criterion_id)c, lowest = bound;
+        if (v.loss && !governs(&b->critical, &v.loss->critical)) continue;
+        v.loss = b, v.criterion = (enum wf_criterion_id)c;
     }
     return v;
 }

@@ -43,7 +43,7 @@ static enum wf_status reading(struct fuzz *f)
     if (owner != getpid()) make_folder(); /* replay runs in child processes */
     owner = getpid();
     write_file("results.json", f->data, f->size);
-    return wf_report_make(folder, f->size % 2 ? "en" : "zh", NULL, &f->diag, &f->err);
+    return wf_report_make(folder, &(struct wf_page_style){ .language = f->size % 2 ? "en" : "zh" }, NULL, &f->diag, &f->err);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) { return fuzz_read(data, size, reading); }
