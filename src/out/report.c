@@ -13,11 +13,8 @@
 #include "out/printer.h"
 #include "out/reader.h"
 #include "out/results.h"
-<<<<<<< HEAD
-#include "out/tongue.h"
-=======
 #include "out/template.h"
->>>>>>> main
+#include "out/tongue.h"
 #include "out/tree_picture.h"
 #include "out/xml.h"
 #include <stdlib.h>
@@ -148,12 +145,8 @@ static enum wf_status make_document(struct job *j)
             code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     }
     wf_arena_free(&scratch);
-<<<<<<< HEAD
     if (!code) code = translate(j);
-    return code;
-=======
     return !code && j->turned ? wf_page_guard(xmlDocGetRootElement(j->document), j->e) : code;
->>>>>>> main
 }
 
 /* Add photograph and logo to the document: <picture name="photo">data:...</picture>. The folder may be a
