@@ -206,7 +206,9 @@
      than the program's first what its kind means. -->
 <xsl:template name="warning">
   <xsl:variable name="means">
-    <xsl:if test="not(message)"><xsl:call-template name="term"><xsl:with-param name="id" select="concat('means.', code)"/></xsl:call-template></xsl:if>
+    <xsl:if test="not(message)">
+      <xsl:call-template name="term"><xsl:with-param name="id" select="concat('means.', code)"/></xsl:call-template>
+    </xsl:if>
   </xsl:variable>
   <xsl:choose>
     <xsl:when test="$means != ''">

@@ -14,6 +14,7 @@ struct wf_tongue {
     bool english;
     struct wf_arena arena;
     xmlHashTable *words; /* by the English text */
+    xmlHashTable *named; /* names, by their other form */
 };
 
 static const xmlNode *child(const xmlNode *of, const char *name)
@@ -77,7 +78,8 @@ enum wf_status wf_tongue_open(const char *language, struct wf_tongue **out, stru
 {
     struct wf_tongue *t = calloc(1, sizeof *t);
     *out = NULL;
-    if (!t || !(t->words = xmlHashCreate(1024))) {
+    if (!t || !(t->words = xmlHashCreate(1024)) || !(t->named = xmlHashCreate(16))) {
+        if (t) xmlHashFree(t->words, NULL);
         free(t);
         return wf_fail(e, WF_ENOMEM, "no memory for the catalogue of a language");
     }
@@ -95,13 +97,30 @@ void wf_tongue_close(struct wf_tongue *t)
 {
     if (!t) return;
     xmlHashFree(t->words, NULL);
+    xmlHashFree(t->named, NULL);
     wf_arena_free(&t->arena);
     free(t);
 }
 
+/* A name with its English form behind: two species that Chinese calls by one name. */
+static void tell_apart(struct wf_tongue *t, const char *name, const char *own)
+{
+    char *both = wf_arena_print(&t->arena, "%s（%s）", own, name);
+    if (both) (void)xmlHashUpdateEntry(t->words, BAD_CAST name, both, NULL);
+}
+
 void wf_tongue_name(struct wf_tongue *t, const char *name, const char *own)
 {
-    if (!t->english && name && own) add(t, wf_arena_text(&t->arena, name), wf_arena_text(&t->arena, own));
+    if (t->english || !name || !own) return;
+    const char *other = xmlHashLookup(t->named, BAD_CAST own);
+    char *kept = wf_arena_text(&t->arena, name);
+    if (!other) {
+        add(t, kept, wf_arena_text(&t->arena, own));
+        if (kept) (void)xmlHashAddEntry(t->named, BAD_CAST own, kept);
+    } else if (strcmp(other, name) != 0) {
+        tell_apart(t, other, own);
+        tell_apart(t, name, own);
+    }
 }
 
 static const char *found(const struct wf_tongue *t, const char *english)
@@ -299,9 +318,8 @@ static void names_of(struct wf_tongue *t, const xmlNode *n, const char *name, co
     char *text = english && chinese ? text_of(english, &t->arena) : NULL,
          *other = text ? text_of(chinese, &t->arena) : NULL;
     if (!other) return;
-    wf_tongue_name(t, text, other);
-    text[strcspn(text, ",")] = '\0'; /* "Oak, the model": the species alone */
-    text[strcspn(text, ",")] = '\0'; /* "Oak, the model": the species alone has another name */
+    if (n->parent && !xmlStrcmp(n->parent->name, BAD_CAST "report"))
+        text[strcspn(text, ",")] = '\0'; /* "Oak, the model": the species alone */
     wf_tongue_name(t, text, other);
 }
 
