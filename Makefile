@@ -44,8 +44,9 @@ READERS := $(patsubst tests/fuzz/read_%.c,%,$(wildcard tests/fuzz/read_*.c))
 obj     = $(patsubst %.c,$(B)/%.o,$(1))
 bin     = $(patsubst %.c,$(B)/%,$(1))
 
-# the kernel of several states side by side: one source, compiled for each width (solve/beam_lanes.h)
-LANES  := $(B)/src/solve/beam_lanes_4.o $(B)/src/solve/beam_lanes_8.o
+# the kernels of several states, and of several elements of one state, side by side: each one source, compiled for
+# each width (solve/beam_lanes.h, solve/beam_groups.h)
+LANES  := $(foreach w,4 8,$(B)/src/solve/beam_lanes_$(w).o $(B)/src/solve/beam_groups_$(w).o)
 
 # what editors complete and check the shipped files by, made by the program that reads them
 SCHEMAS := species/schema.json models/schema.json models/field/schema.json models/studies/schema.json
@@ -84,9 +85,11 @@ $(call obj,$(KERNELS)): CFLAGS += -O3
 WIDE    = $(if $(filter 4,$(WIDTH)),-mavx2,-mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
 X86    := $(findstring x86_64,$(shell $(CC) -dumpmachine))
 $(LANES): CFLAGS += -O3 -fno-math-errno -DWF_WIDTH=$(WIDTH) $(if $(X86),$(WIDE),-Wno-psabi)
-$(B)/src/solve/beam_lanes_4.o: WIDTH = 4
-$(B)/src/solve/beam_lanes_8.o: WIDTH = 8
-$(LANES): src/solve/beam_lanes.c
+$(filter %_4.o,$(LANES)): WIDTH = 4
+$(filter %_8.o,$(LANES)): WIDTH = 8
+$(filter %/beam_lanes_4.o %/beam_lanes_8.o,$(LANES)): src/solve/beam_lanes.c
+$(filter %/beam_groups_4.o %/beam_groups_8.o,$(LANES)): src/solve/beam_groups.c
+$(LANES):
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
 # a rule that names a file which is not there would be passed over in silence

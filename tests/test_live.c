@@ -44,6 +44,28 @@ static void data_are_text(void **state)
     CHECK(rows);
 }
 
+#define HEADS                                                                                                \
+    "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "       \
+    "img-src data:"
+
+/* Every kind of page says that it fetches nothing and runs nothing, and fits a telephone. */
+static void every_page_is_closed(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W modes oak --model culm --wind 0,10 --no-pdf -q -o $T/out >/dev/null 2>&1; head -c 800 "
+          "$T/out/modes.html; echo; grep -c '<script' "
+          "$T/out/modes.html",
+          CODE_RUN,
+          { HEADS, "name=\"viewport\" content=\"width=device-width", "\n0\n" } },
+        { "test -z \"$(for p in reports/*.xsl; do grep -q '<html lang' $p && grep -L Content-Security-Policy "
+          "$p; done)\" && echo all",
+          CODE_OK,
+          { "all\n" } },
+    };
+    CHECK(rows);
+}
+
 /* Nothing of it is printed. */
 static void nothing_is_printed(void **state)
 {
@@ -71,8 +93,13 @@ static void in_a_browser(void **state)
           "$T/out "
           "2>$T/said; timeout 120 python3 tests/live.py $T/out chromium",
           CODE_OK,
-          { "live: 34 numbers" } },
-        { HOSTILE "timeout 120 python3 tests/live.py $T/out chromium", CODE_OK, { "live: 34 numbers" } },
+          { "live: 36 numbers" } },
+        { "$W analyze scots_pine --model scots_pine --soil mineral --wind 8,16 --directions 8 --samples 0 "
+          "--no-pdf -q -o $T/out "
+          "2>$T/said; timeout 120 python3 tests/live.py $T/out chromium",
+          CODE_OK,
+          { "live: 45 numbers" } },
+        { HOSTILE "timeout 120 python3 tests/live.py $T/out chromium", CODE_OK, { "live: 36 numbers" } },
     };
     CHECK(rows);
 }
@@ -81,6 +108,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(data_are_text),
+        cmocka_unit_test(every_page_is_closed),
         cmocka_unit_test(nothing_is_printed),
         cmocka_unit_test(in_a_browser),
     };

@@ -253,6 +253,7 @@ static const struct edit mistakes[] = {
       "notes, parts, main, sizes, ratios" },
     { "title: A box", "name: again", "2:1: key 'name' is given twice" },
     { "title: A box", "[a, b]: x", "2:1: a key is expected, not a list" },
+    { "name: box_1", "name: -box", "1:7: name: '-box': a name does not begin with '-'" },
     { "name: box_1", "name: box 1", "1:7: name: 'box 1': a name has only letters a-z, digits, '_' and '-'" },
     { "name: box_1", "name:", "1:6: name: a text is expected, not nothing" },
     { "name: box_1", "name: \" \"", "1:7: name: a text is expected, not a single value" },

@@ -27,8 +27,10 @@ char *wf_arena_text(struct wf_arena *a, const char *text);
 char *wf_arena_print(struct wf_arena *a, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* Move everything that `from` holds to `a`; addresses do not change. `from` is then empty. */
 void wf_arena_join(struct wf_arena *a, struct wf_arena *from);
-/* Free all memory of the arena; it is then empty and can be used again. */
+/* Free all memory of the arena; it is then empty and can be used again. Large blocks are kept, up to 128 MB, for
+ * arenas of this process; wf_arena_drop_spare gives them back to the system. */
 void wf_arena_free(struct wf_arena *a);
+void wf_arena_drop_spare(void);
 
 /* n zeroed elements of type T from arena `a`, or NULL. */
 #define WF_TAKE(a, n, T) ((T *)wf_arena_take((a), (n), sizeof(T)))

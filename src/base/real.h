@@ -98,4 +98,40 @@ WF_INLINE real real_sqrt(real x)
 /* The larger and the smaller; b where one is not a number. */
 WF_INLINE real real_max(real a, real b) { return real_choose(real_below(b, a), a, b); }
 WF_INLINE real real_min(real a, real b) { return real_choose(real_below(a, b), a, b); }
+
+/* Rows to columns: number q of block[k] becomes number k of block[q]. */
+WF_INLINE void real_transpose(real block[WF_WIDTH])
+{
+#if WF_WIDTH == 4
+    for (int i = 0; i < 4; i += 2) {
+        real a = block[i], b = block[i + 1];
+        block[i] = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+        block[i + 1] = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    }
+    for (int i = 0; i < 2; i++) {
+        real a = block[i], b = block[i + 2];
+        block[i] = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+        block[i + 2] = __builtin_shufflevector(a, b, 2, 3, 6, 7);
+    }
+#elif WF_WIDTH == 8
+    for (int i = 0; i < 8; i += 2) {
+        real a = block[i], b = block[i + 1];
+        block[i] = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+        block[i + 1] = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+    }
+    for (int k = 0; k < 4; k++) {
+        int i = k / 2 * 4 + k % 2;
+        real a = block[i], b = block[i + 2];
+        block[i] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+        block[i + 2] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+    for (int i = 0; i < 4; i++) {
+        real a = block[i], b = block[i + 4];
+        block[i] = __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+        block[i + 4] = __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    }
+#else
+    (void)block;
+#endif
+}
 #endif

@@ -255,6 +255,11 @@ static void put_text(struct wf_yaml *y, const yaml_node_t *n, const char *text, 
             yaml_at(y, n, "'%.60s': a name has only letters a-z, digits, '_' and '-'", text);
             return;
         }
+    /* names stand in tables, where a spreadsheet takes one that begins so for a formula */
+    if (r->kind == WF_YAML_NAME && *text == '-') {
+        yaml_at(y, n, "'%.60s': a name does not begin with '-'", text);
+        return;
+    }
     if (r->offset == WF_YAML_DROP) return;
     const char *copy = wf_arena_text(y->arena, text);
     if (!copy) y->no_memory = true;

@@ -13,7 +13,7 @@
 /* Kind of a key's value, and the type of the struct's member that holds it. */
 enum wf_yaml_kind {
     WF_YAML_TEXT,       /* const char *                                                              */
-    WF_YAML_NAME,       /* const char *: letters, digits, '_' and '-'                                */
+    WF_YAML_NAME,       /* const char *: letters, digits, '_' and '-', no '-' at its begin           */
     WF_YAML_CHOICE,     /* const char *: one of `choices`                                            */
     WF_YAML_ENUM,       /* an enum: the index in `choices`                                           */
     WF_YAML_QUANTITY,   /* double [SI]; NAN when the key is absent and has no initial value          */

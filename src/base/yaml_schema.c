@@ -212,7 +212,7 @@ static json_t *kind_of(struct wf_units *u, const struct wf_yaml_row *r, const st
     case WF_YAML_TEXT:
         return json_pack("{s:[s,s,s]}", "type", "string", "number", "boolean");
     case WF_YAML_NAME:
-        return json_pack("{s:s,s:s}", "type", "string", "pattern", "^[A-Za-z0-9_-]+$");
+        return json_pack("{s:s,s:s}", "type", "string", "pattern", "^[A-Za-z0-9_][A-Za-z0-9_-]*$");
     case WF_YAML_CHOICE:
     case WF_YAML_ENUM:
         return words_of(r);

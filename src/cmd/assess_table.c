@@ -9,14 +9,19 @@
 #include "cmd/assess_often.h"
 #include "cmd/assess_row.h"
 #include "cmd/commands.h"
+#include "cmd/press.h"
 #include "out/results.h"
 #include "out/workbook.h"
 #include <errno.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 enum { BATCH = 64 };
 
@@ -31,7 +36,8 @@ struct table {
     FILE *to;
     char *before; /* lines before the header, and the header */
     struct wf_tree_row row[BATCH];
-    size_t written; /* rows in the table, blank ones too */
+    struct wf_press press; /* of the reports */
+    size_t written;        /* rows in the table, blank ones too */
     size_t done, mistakes, failed;
     struct timespec began, shown;
     size_t resumed;
@@ -142,8 +148,9 @@ static void count(struct table *t, const struct wf_tree_row *r)
 }
 
 /* Results and pages of a row that was assessed. */
-static enum wf_status report(struct table *t, struct wf_tree_row *row, struct wf_err *e)
+static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
 {
+    struct wf_tree_row *row = &t->row[k];
     const struct wf_pages *pages = &t->line->run.pages;
     struct wf_run_folder folder = { 0 };
     struct wf_run run = { .command = t->command,
@@ -158,9 +165,23 @@ static enum wf_status report(struct table *t, struct wf_tree_row *row, struct wf
     row->single.an.assessment = &row->single.x;
     enum wf_status s = wf_results_begin(&folder, path, pages->none ? NULL : "report", e);
     if (!s) s = wf_results_write(&run, folder.stage, e);
-    if (!s) s = wf_results_end(&folder, pages, &row->arena, NULL, e);
+    if (!s) return wf_press_put(&t->press, &folder, k, pages, &row->arena, e);
     wf_run_abandon(&folder);
+    t->press.failed = k < t->press.failed ? k : t->press.failed;
     return s;
+}
+
+/* Reports of the first n rows that were assessed. Returned: *good, how many rows have what they need. */
+static enum wf_status report_all(struct table *t, size_t n, size_t *good, struct wf_err *e)
+{
+    struct wf_err after = { 0 };
+    enum wf_status s = WF_OK;
+    t->press.failed = SIZE_MAX;
+    for (size_t k = 0; k < n && !s; k++)
+        if (t->row[k].state == WF_ROW_DONE) s = report(t, k, e);
+    enum wf_status last = wf_press_drain(&t->press, s ? &after : e);
+    *good = t->press.failed < n ? t->press.failed : n;
+    return s ? s : last;
 }
 
 /* Cells of the user stay as they are; those that a spreadsheet takes for formulas are counted. */
@@ -185,9 +206,10 @@ static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
         s = wf_tree_row_read(t->columns, &t->rows, &t->row[(*n)++], e);
     }
     if (!s) s = wf_parallel(*n, t->line->run.threads, assess, t, e);
+    size_t good = s ? 0 : *n;
+    if (!s && t->line->reports) s = report_all(t, *n, &good, e);
     for (size_t k = 0; k < *n; k++) {
-        if (!s && t->line->reports && t->row[k].state == WF_ROW_DONE) s = report(t, &t->row[k], e);
-        if (!s) wf_tree_row_write(t->columns, &t->row[k], t->to), count(t, &t->row[k]), t->written++;
+        if (k < good) wf_tree_row_write(t->columns, &t->row[k], t->to), count(t, &t->row[k]), t->written++;
         wf_arena_free(&t->row[k].arena);
     }
     if (!s && fflush(t->to)) s = out_error(t, e);
@@ -290,6 +312,18 @@ static enum wf_status read_extremes(struct table *t, struct wf_err *e)
     return s;
 }
 
+/* Rows take and give back the same memory, thousands of times: it is kept, which saves the system's zeroing
+ * of fresh pages. */
+static void keep_memory(void)
+{
+#ifdef __GLIBC__
+    enum { KEPT = 64 << 20 };
+    (void)mallopt(M_MMAP_THRESHOLD, KEPT);
+    (void)mallopt(M_TRIM_THRESHOLD, KEPT);
+    (void)mallopt(M_TOP_PAD, 1 << 20);
+#endif
+}
+
 static enum wf_status run(struct table *t, const char *file, const char *command, struct wf_err *e)
 {
     t->out = t->line->run.output;
@@ -314,10 +348,13 @@ static enum wf_status run(struct table *t, const char *file, const char *command
         wf_show(stderr, "%s: %s\n", file, wf_tree_columns_text(t->columns, &t->arena));
     wf_interrupt_catch();
     wf_progress_watch(NULL);
+    keep_memory();
     if ((s = begin_table(t, note, e))) return s;
     if (t->resumed && !t->line->run.args.quiet)
         wf_show(stderr, "goes on after %zu rows of %s\n", t->resumed, t->partial);
+    wf_press_open(&t->press, t->line->run.threads);
     s = all_rows(t, e);
+    wf_press_close(&t->press);
     if (t->formulas && !t->line->run.args.quiet)
         wf_show(stderr,
                 "cells that begin with =, @, + or - and are no numbers: %zu, the first in line %zu; they are "

@@ -28,13 +28,21 @@ static struct wf_section_load section_load_at(const struct wf_tree *t, const str
     return s;
 }
 
-/* A row of a solved tree, with the loads of its ends and, where they were computed, of places near them. */
+enum { GRID = 16, ROUNDS = 4 };
+
+/* A row of a solved tree, with the loads of its ends and, where they were computed, of places near them and
+ * within. Loads serve all rules. */
 struct row {
     const struct wf_tree *t;
     const struct wf_response *r;
     size_t i;
     struct wf_section_load end[2], near[2];
     bool have[2];
+    struct grid {
+        bool there;
+        double low, step; /* of the place s */
+        struct wf_section_load load[GRID];
+    } grid[ROUNDS];
 };
 
 /* Load at s (0..1) of a row: moment by the cubic through both ends, the rest linear. */
@@ -64,7 +72,9 @@ static struct wf_section_load load_inside(const struct row *w, double s)
 
 static void read_ends(const struct wf_tree *t, const struct wf_response *r, size_t i, struct row *w)
 {
-    *w = (struct row){ .t = t, .r = r, .i = i };
+    w->t = t, w->r = r, w->i = i;
+    w->have[0] = w->have[1] = false;
+    for (int round = 0; round < ROUNDS; round++) w->grid[round].there = false;
     w->end[0] = section_load_at(t, r, i, 0, r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i);
     w->end[1] = section_load_at(t, r, i, 1, r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i);
 }
@@ -90,19 +100,29 @@ static double measure_near(struct row *w, const struct wf_section_rule *rule, in
     return measure(w, rule, s, &w->near[end]);
 }
 
+/* The loads within a row at low + k step, k from 1. */
+static const struct wf_section_load *loads_between(struct row *w, int round, double low, double step)
+{
+    struct grid *g = &w->grid[round];
+    if (g->there && g->low == low && g->step == step) return g->load;
+    g->there = true, g->low = low, g->step = step;
+    for (int k = 1; k < GRID; k++) g->load[k] = load_inside(w, low + k * step);
+    return g->load;
+}
+
 /* Largest measure of a row and its place: one of its ends, unless it rises inwards from both. In that case a
  * grid of sixteenths is refined three times around its best point. */
 static double row_peak(struct row *w, const struct wf_section_rule *rule, double *place)
 {
-    enum { GRID = 16, ROUNDS = 4 };
     double at0 = measure(w, rule, 0, &w->end[0]), at1 = measure(w, rule, 1, &w->end[1]);
     double best = fmax(at0, at1), low = 0, high = 1;
     *place = at1 > at0 ? 1 : 0;
     if (!(measure_near(w, rule, 0) > at0 && measure_near(w, rule, 1) > at1)) return best;
     for (int round = 0; round < ROUNDS; round++) {
         double step = (high - low) / GRID;
+        const struct wf_section_load *load = loads_between(w, round, low, step);
         for (int k = 1; k < GRID; k++) {
-            double s = low + k * step, x = measure_inside(w, rule, s);
+            double s = low + k * step, x = measure(w, rule, s, &load[k]);
             if (x > best) best = x, *place = s;
         }
         low = fmax(0, *place - step), high = fmin(1, *place + step);

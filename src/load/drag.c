@@ -19,7 +19,7 @@ static double share_vogel(const struct wf_law_values *p, double speed, double *d
 
 static double share_table(const struct wf_law_values *p, double speed, double *derivative)
 {
-    return table_share(p, speed, derivative);
+    return table_share(p, NULL, speed, derivative);
 }
 
 #define SPEEDS .dimension = WF_DIM_SPEED, .unit = "m/s"

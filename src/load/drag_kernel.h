@@ -56,8 +56,8 @@ WF_INLINE real smooth_piece(real y0, real y1, real d0, real d1, real h, real u, 
     return y0 + u * (a + u * (b + u * c));
 }
 
-/* The curve through a table that all lanes share. */
-WF_INLINE real table_share(const struct wf_law_values *p, real speed, real *derivative)
+/* The curve through a table that all lanes share. rise: its slopes at the points; NULL: they are computed. */
+WF_INLINE real table_share(const struct wf_law_values *p, const double *rise, real speed, real *derivative)
 {
     const double *x = p->list[0], *y = p->list[1];
     size_t n = p->n;
@@ -67,7 +67,8 @@ WF_INLINE real table_share(const struct wf_law_values *p, real speed, real *deri
     for (size_t i = 1; i < n; i++) {
         real_truth here = real_not_above(real_of(x[i - 1]), speed);
         if (!real_any(here)) break;
-        double h = x[i] - x[i - 1], d0 = wf_smooth_slope(x, y, n, i - 1), d1 = wf_smooth_slope(x, y, n, i);
+        double h = x[i] - x[i - 1], d0 = rise ? rise[i - 1] : wf_smooth_slope(x, y, n, i - 1);
+        double d1 = rise ? rise[i] : wf_smooth_slope(x, y, n, i);
         real slope, at = smooth_piece(real_of(y[i - 1]), real_of(y[i]), real_of(d0), real_of(d1), real_of(h),
                                       (speed - x[i - 1]) / h, &slope);
         share = real_choose(here, at, share), *derivative = real_choose(here, slope, *derivative);
@@ -82,70 +83,76 @@ WF_INLINE real table_share(const struct wf_law_values *p, real speed, real *deri
 
 #define LG2 0.30102999566398120 /* log10 2 */
 #define LG5 0.69897000433601880 /* log10 5 */
-#define DECADE(d) (d), (d) + LG2, (d) + LG5
 
-static const double bark_log_re[] = { DECADE(-1), DECADE(0), DECADE(1), DECADE(2), DECADE(3),
-                                      DECADE(4),  DECADE(5), DECADE(6), 7 };
-static const double bark_drag[] = {
-    58,   34,   17,   /* 1e-1 */
-    10.5, 6.8,  4.0,  /* 1e0 */
-    2.8,  2.08, 1.55, /* 1e1 */
-    1.37, 1.25, 1.13, /* 1e2 */
-    1.00, 0.95, 1.00, /* 1e3 */
-    1.10, 1.17, 1.20, /* 1e4 */
-    1.20, 1.14, 1.05, /* 1e5: rough bark, beyond the drag crisis of a smooth cylinder */
-    1.05, 1.05, 1.05, /* 1e6 */
-    1.05,             /* 1e7 */
+/* A point of the law: log10 Re, coefficient, and d coefficient / d log10 Re by wf_smooth_slope, tabulated
+ * because this law is evaluated at every load point of every element. A point and the next one are read at
+ * once. */
+struct bark_point {
+    double log_re, drag, rise, spare;
 };
-/* Slopes d drag / d log10 Re at the points by wf_smooth_slope, tabulated because this law is evaluated at
- * every load point of every element. */
-static const double bark_rise[] = {
-    0,
-    -63.788542506732597,
-    -30.691640612488143, /* 1e-1 */
-    -16.941833283925543,
-    -10.027972788855955,
-    -5.2998439468210314, /* 1e0 */
-    -3.1890509710918673,
-    -1.9353015759351511,
-    -0.91402574605560827, /* 1e1 */
-    -0.49828921423310435,
-    -0.35682198881671667,
-    -0.37573450418485604, /* 1e2 */
-    -0.29897352853986248,
-    0,
-    0.24323840551433046, /* 1e3 */
-    0.28236388806542562,
-    0.15077649568392379,
-    0, /* 1e4 */
-    0,
-    -0.21087894550811814,
-    0, /* 1e5 */
-    0,
-    0,
-    0, /* 1e6 */
-    0, /* 1e7 */
+static const struct bark_point bark_at[] = {
+    { -1, 58, 0, 0 },
+    { -1 + LG2, 34, -63.788542506732597, 0 },
+    { -1 + LG5, 17, -30.691640612488143, 0 },
+    { 0, 10.5, -16.941833283925543, 0 },
+    { LG2, 6.8, -10.027972788855955, 0 },
+    { LG5, 4.0, -5.2998439468210314, 0 },
+    { 1, 2.8, -3.1890509710918673, 0 },
+    { 1 + LG2, 2.08, -1.9353015759351511, 0 },
+    { 1 + LG5, 1.55, -0.91402574605560827, 0 },
+    { 2, 1.37, -0.49828921423310435, 0 },
+    { 2 + LG2, 1.25, -0.35682198881671667, 0 },
+    { 2 + LG5, 1.13, -0.37573450418485604, 0 },
+    { 3, 1.00, -0.29897352853986248, 0 },
+    { 3 + LG2, 0.95, 0, 0 },
+    { 3 + LG5, 1.00, 0.24323840551433046, 0 },
+    { 4, 1.10, 0.28236388806542562, 0 },
+    { 4 + LG2, 1.17, 0.15077649568392379, 0 },
+    { 4 + LG5, 1.20, 0, 0 },
+    { 5, 1.20, 0, 0 }, /* rough bark, beyond the drag crisis of a smooth cylinder */
+    { 5 + LG2, 1.14, -0.21087894550811814, 0 },
+    { 5 + LG5, 1.05, 0, 0 },
+    { 6, 1.05, 0, 0 },
+    { 6 + LG2, 1.05, 0, 0 },
+    { 6 + LG5, 1.05, 0, 0 },
+    { 7, 1.05, 0, 0 },
 };
-enum { BARK_POINTS = sizeof bark_drag / sizeof *bark_drag };
+enum { BARK_POINTS = sizeof bark_at / sizeof *bark_at };
+
+/* The points on both sides of x = log10 Re, of each lane. */
+WF_INLINE void bark_ends(real x, real ends[8])
+{
+    const real within = real_min(real_max(x, real_of(-1)), real_of(7));
+    const double *row[WF_WIDTH];
+    for (int k = 0; k < WF_WIDTH; k++) {
+        double at = real_lane(within, k);
+        int decade = (int)(at + 1);
+        double part = at - (decade - 1);
+        size_t i = 3 * (size_t)decade + (part >= LG2) + (part >= LG5);
+        if (i > BARK_POINTS - 2)
+            i = BARK_POINTS - 2; /* rounding of the logarithm just below the last point */
+        row[k] = &bark_at[i].log_re;
+    }
+#pragma GCC unroll 8
+    for (int q = 0; q < 8; q += WF_WIDTH) {
+        real block[WF_WIDTH];
+        for (int k = 0; k < WF_WIDTH; k++) memcpy(&block[k], row[k] + q, sizeof(real));
+        real_transpose(block);
+        for (int k = 0; k < WF_WIDTH; k++) ends[q + k] = block[k];
+    }
+}
 
 /* The points from the first to the last are 0.1 <= Re < 1e7; outside, the law is constant. */
 WF_INLINE real bark_drag_law(real speed, real diameter, real viscosity, real *derivative)
 {
     real re = speed * diameter / viscosity, x = real_log(re) * (1 / M_LN10);
     real_truth low = real_not_above(re, real_of(0.1)), high = real_not_above(real_of(1e7), re);
-    real from, h, y0, y1, d0, d1, slope;
-    for (int k = 0; k < WF_WIDTH; k++) {
-        double at = fmin(fmax(real_lane(x, k), -1), 7), whole = floor(at), part = at - whole;
-        size_t i = 3 * (size_t)(int)(whole + 1) + (part >= LG2) + (part >= LG5);
-        if (i > BARK_POINTS - 2)
-            i = BARK_POINTS - 2; /* rounding of the logarithm just below the last point */
-        real_lane(from, k) = bark_log_re[i], real_lane(h, k) = bark_log_re[i + 1] - bark_log_re[i];
-        real_lane(y0, k) = bark_drag[i], real_lane(y1, k) = bark_drag[i + 1];
-        real_lane(d0, k) = bark_rise[i], real_lane(d1, k) = bark_rise[i + 1];
-    }
-    real cd = smooth_piece(y0, y1, d0, d1, h, (x - from) / h, &slope);
+    real ends[8], slope; /* a point and the next one */
+    bark_ends(x, ends);
+    real from = ends[0], h = ends[4] - from;
+    real cd = smooth_piece(ends[1], ends[5], ends[2], ends[6], h, (x - from) / h, &slope);
     *derivative = real_choose(low | high, real_of(0), slope / (speed * M_LN10));
-    return real_choose(low, real_of(bark_drag[0]),
-                       real_choose(high, real_of(bark_drag[BARK_POINTS - 1]), cd));
+    return real_choose(low, real_of(bark_at[0].drag),
+                       real_choose(high, real_of(bark_at[BARK_POINTS - 1].drag), cd));
 }
 #endif

@@ -115,12 +115,15 @@ struct air {
     real held;                         /* speed above which the crown's share is held */
     real weight, dead;                 /* factors of weight and of dead loads */
     const struct wf_law_values *table;
+    size_t rises; /* slopes of the table's points, if it has few */
+    double rise[64];
 };
 
 /* Given: the loads of each lane. */
 static inline void set_air(const struct wf_loads *const *loads, struct air *a)
 {
     const struct wf_loads *first = loads[0];
+    size_t n = 0;
     *a =
         (struct air){ .profile = WF_PROFILE_UNIFORM, .crown = WF_SHARE_NONE, .axis = first->axis_drag->form };
     for (int k = WF_WIDTH; k-- > 0;)
@@ -153,6 +156,9 @@ static inline void set_air(const struct wf_loads *const *loads, struct air *a)
         real_lane(a->displacement, k) = w->displacement, real_lane(a->roughness, k) = w->roughness;
         real_lane(a->least, k) = w->least;
     }
+    if (a->crown == WF_SHARE_TABLE && a->table->n <= sizeof a->rise / sizeof *a->rise)
+        for (a->rises = a->table->n; n < a->rises; n++)
+            a->rise[n] = wf_smooth_slope(a->table->list[0], a->table->list[1], a->rises, n);
     if (a->profile >= WF_PROFILE_TERRAIN) a->reference = real_max(a->reference, a->least);
     if (a->profile == WF_PROFILE_LOG)
         a->scale = log_profile_scale(a->speed, a->reference, a->displacement, a->roughness);
@@ -216,7 +222,7 @@ WF_INLINE real crown_share(const struct air *a, real speed, real *slope)
     if (a->crown == WF_SHARE_VOGEL)
         share = vogel_share(a->vogel, a->vogel_from, at, &by);
     else if (a->crown == WF_SHARE_TABLE)
-        share = table_share(a->table, at, &by);
+        share = table_share(a->table, a->rises ? a->rise : NULL, at, &by);
     else if (a->crown == WF_SHARE_BY_CALL)
         share_each(a, &at, &share, &by);
     *slope = real_choose(held, real_of(0), by);

@@ -350,7 +350,7 @@ static char *key_of(char *name)
 {
     static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
     for (char *c = name; c && *c; c++)
-        if (!strchr(allowed, *c)) *c = '_';
+        if (!strchr(allowed, *c) || (*c == '-' && c == name)) *c = '_';
     return name;
 }
 

@@ -38,6 +38,28 @@ static json_t *wind_part(struct wf_doc *d, const json_t *wind, double gust)
     return o;
 }
 
+/* What the table of directions says of each: where the wind comes from [deg], the wind in which the tree is
+ * lost, moment and safety in the strongest wind. */
+static json_t *around_part(struct wf_doc *d, const json_t *directions)
+{
+    json_t *list = wf_doc_array(d), *x;
+    size_t i;
+    json_array_foreach(json_object_get(directions, "directions"), i, x)
+    {
+        const json_t *winds = json_object_get(x, "winds"),
+                     *last = json_array_get(winds, json_array_size(winds) - 1);
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_number(d, o, "from", value_of(x, "from") * 180 / M_PI);
+        const json_t *loss = json_object_get(x, "loss");
+        const char *outcome = text_of(loss, "outcome");
+        bool still = outcome && !strcmp(outcome, "self-weight");
+        wf_doc_number(d, o, "lost", still ? 0 : value_of(loss, "critical_speed"));
+        wf_doc_number(d, o, "moment", value_of(last, "base_moment") / 1e3);
+        wf_doc_number(d, o, "safety", value_of(last, "loss_safety"));
+    }
+    return list;
+}
+
 static json_t *tree_part(struct wf_doc *d, const json_t *tree)
 {
     const json_t *scenario = json_object_get(tree, "scenario"), *x;
@@ -45,6 +67,7 @@ static json_t *tree_part(struct wf_doc *d, const json_t *tree)
     json_t *o = wf_doc_object(d);
     wf_doc_number(d, o, "lost", lost);
     wf_doc_put(d, o, "still", wf_doc_array(d));
+    wf_doc_put(d, o, "around", around_part(d, json_object_get(tree, "directions")));
     json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
     size_t i;
     json_array_foreach(json_object_get(tree, "winds"), i, x)

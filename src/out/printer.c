@@ -61,42 +61,64 @@ static enum wf_status end(struct wf_printer *p, char said[static WF_SAID_MAX], s
     return wf_program_end(&p->program, &p->running, said, e);
 }
 
-/* Have a page printed. A process that ends at a page has failed at it, or at the pages before: the page is
+/* Give the order to the process, which is started where none runs. Whether it was heard shows in the answer.
+ */
+static enum wf_status give(struct wf_printer *p, struct wf_err *e)
+{
+    enum wf_status code = p->pages ? WF_OK : begin(p, e);
+    if (code) return code;
+    p->pages++;
+    (void)wf_program_tell(&p->running, p->order, p->ordered);
+    return WF_OK;
+}
+
+/* Wait for the answer. A process that ends at a page has failed at it, or at the pages before: the page is
  * then given to a new one. Returned: WF_OK and what was said. */
-static enum wf_status print(struct wf_printer *p, const char *order, size_t n, char said[static WF_SAID_MAX],
-                            struct wf_err *e)
+static enum wf_status hear(struct wf_printer *p, char said[static WF_SAID_MAX], struct wf_err *e)
 {
     for (;;) {
-        enum wf_status code = p->pages ? WF_OK : begin(p, e);
-        if (code) return code;
-        bool first = !p->pages++;
+        bool first = p->pages == 1;
         said[0] = '\0';
-        if (wf_program_tell(&p->running, order, n) && wf_program_hear(&p->running, said)) return WF_OK;
-        code = end(p, said, first ? e : NULL);
-        if (!first) continue;
-        return code ? code : wf_fail(e, WF_EOUTPUT, "%s ended at a page: %s", p->program.name, said);
+        if (wf_program_hear(&p->running, said)) return WF_OK;
+        enum wf_status code = end(p, said, first ? e : NULL);
+        if (first)
+            return code ? code : wf_fail(e, WF_EOUTPUT, "%s ended at a page: %s", p->program.name, said);
+        if ((code = give(p, e))) return code;
     }
+}
+
+enum wf_status wf_page_take(struct wf_printer *p, struct wf_err *e)
+{
+    char said[WF_SAID_MAX];
+    if (!p->ordered) return WF_OK;
+    enum wf_status code = hear(p, said, e);
+    /* WeasyPrint continues after an error */
+    if (!code && strstr(said, "ERROR"))
+        code = wf_fail(e, WF_EOUTPUT, "%s: WeasyPrint says: %s", p->file.path, said);
+    if (!code && !whole_pdf(p->file.temporary))
+        code = wf_fail(e, WF_EOUTPUT, "%s: the file is not complete (is the disk full?)", p->file.path);
+    if (!code) code = wf_file_commit(&p->file, e);
+    wf_file_abandon(&p->file);
+    p->ordered = 0;
+    return code;
 }
 
 enum wf_status wf_page_print(struct wf_printer *p, const char *folder, const char *page, struct wf_err *e)
 {
-    char pdf[64], order[2 * WF_PATH_MAX], said[WF_SAID_MAX];
-    struct wf_file f = { 0 };
+    char pdf[64];
     snprintf(pdf, sizeof pdf, "%.40s.pdf", page);
-    enum wf_status code = wf_folder_begin(&f, folder, pdf, e);
+    enum wf_status code = wf_page_take(p, e);
+    if (!code) code = wf_folder_begin(&p->file, folder, pdf, e);
     if (code) return code;
     /* folder, page and file, each ended by a zero byte */
-    int n = snprintf(order, sizeof order, "%s%c%.40s.html%c%s%c", folder, 0, page, 0,
-                     f.temporary + strlen(folder) + 1, 0);
-    if (n < 0 || (size_t)n >= sizeof order) code = wf_fail(e, WF_EOUTPUT, "%s: the name is too long", f.path);
-    if (!code) code = print(p, order, (size_t)n, said, e);
-    /* WeasyPrint continues after an error */
-    if (!code && strstr(said, "ERROR"))
-        code = wf_fail(e, WF_EOUTPUT, "%s: WeasyPrint says: %s", f.path, said);
-    if (!code && !whole_pdf(f.temporary))
-        code = wf_fail(e, WF_EOUTPUT, "%s: the file is not complete (is the disk full?)", f.path);
-    if (!code) code = wf_file_commit(&f, e);
-    wf_file_abandon(&f);
+    int n = snprintf(p->order, sizeof p->order, "%s%c%.40s.html%c%s%c", folder, 0, page, 0,
+                     p->file.temporary + strlen(folder) + 1, 0);
+    if (n < 0 || (size_t)n >= sizeof p->order)
+        code = wf_fail(e, WF_EOUTPUT, "%s: the name is too long", p->file.path);
+    p->ordered = code ? 0 : (size_t)n;
+    if (!code) code = give(p, e);
+    if (!code && !p->late) return wf_page_take(p, e);
+    if (code) wf_file_abandon(&p->file), p->ordered = 0;
     return code;
 }
 
@@ -104,4 +126,6 @@ void wf_printer_close(struct wf_printer *p)
 {
     char said[WF_SAID_MAX] = "";
     if (p->pages) (void)end(p, said, NULL);
+    wf_file_abandon(&p->file);
+    p->ordered = 0;
 }

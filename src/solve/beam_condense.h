@@ -41,14 +41,14 @@ WF_INLINE void put_by_base(by_base A, int from, int row, int col, const real B[9
 
 /* S y + A (p_base, 1) = 0 for the element without the part above, whose reaction enters through Mn: dn_end
  * -> dm_j. */
-WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE void element_equations(const element *p, const struct wf_beam_flat *flat,
                                  const struct kinematics *k, const struct statics *q,
                                  const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], int from,
                                  real S[6][6], by_base A, real Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
         real law[3], bent[3], M[2][9], G[9], C[9], R[9];
-        const double d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
+        const fixed d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
         law_hold(p, flat, s, j, k->k[j], law);
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
@@ -128,10 +128,10 @@ WF_INLINE real_truth solve6(real S[6][6], by_base B, int from)
  * of the mesh error, and they are its negative eigenvalues; for other loads their number changes where the
  * tree loses its static stability. (The symmetric part alone would also count shapes that are nearly free to
  * rotate.) Returned: the number, per lane. */
-WF_INLINE real unstable_directions(const struct wf_beam_part *p, real S[6][6], const struct kinematics *k,
+WF_INLINE real unstable_directions(const element *p, real S[6][6], const struct kinematics *k,
                                    real margin)
 {
-    real B[6][6], H[6][6], negative = { 0 }, limit = -margin * fmax(p->ei[0], p->gj[0]);
+    real B[6][6], H[6][6], negative = { 0 }, limit = -margin * larger(p->ei[0], p->gj[0]);
     by_base X; /* B' X = S', so that X' = S B^-1 */
     for (int j = 0; j < 2; j++)
         for (int m = 0; m < 2; m++)
@@ -166,7 +166,7 @@ WF_INLINE void add_product(real A[6][6], by_base B, int from, int row, int colum
 }
 
 /* end = P y + Z (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
-WF_INLINE void end_motion_of(double half, const struct kinematics *k, const struct statics *q, int from,
+WF_INLINE void end_motion_of(fixed half, const struct kinematics *k, const struct statics *q, int from,
                              real P[6][6], by_base Z)
 {
     for (int i = 0; i < 6; i++)
@@ -184,7 +184,7 @@ WF_INLINE void end_motion_of(double half, const struct kinematics *k, const stru
 }
 
 /* dw_base = dw_end + (0, Vn dn_end) + S y + B (p_base, 1): dn = h/2 sum df, dm = h/2 sum d(r' x n) */
-WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct real_load load[2], int from,
+WF_INLINE void base_wrench_of(fixed half, const struct statics *q, const struct real_load load[2], int from,
                               real S[6][6], by_base B)
 {
     for (int i = 0; i < 3; i++) {
@@ -252,7 +252,7 @@ WF_INLINE real_truth leaps(by_base A, real P[6][6])
 /* An element whose step is too large is taken by itself: damped elastic bending towards its present moments,
  * rigidly following its base. Twigs beyond their buckling load thus fall over in a few iterations without
  * disturbing what carries them. */
-WF_INLINE real_truth bend_apart(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE real_truth bend_apart(const element *p, const struct wf_beam_flat *flat,
                                 const struct kinematics *k, const struct wf_beam_stage *s,
                                 const struct wf_beam_wrench at[2], int from, by_base A)
 {
@@ -266,7 +266,7 @@ WF_INLINE real_truth bend_apart(const struct wf_beam_part *p, const struct wf_be
 
 /* Motion of the end, end = Z (p_base, 1), and wrench on the base, B (p_base, 1), of an element that moves by
  * y. Given: Z, B at y = 0. */
-WF_INLINE void follow_answer(double half, const struct statics *q, struct wf_beam_reaction *above,
+WF_INLINE void follow_answer(fixed half, const struct statics *q, struct wf_beam_reaction *above,
                              real P[6][6], real S[6][6], by_base y, int from, by_base Z, by_base B)
 {
     by_base W;
@@ -282,5 +282,39 @@ WF_INLINE void follow_answer(double half, const struct statics *q, struct wf_bea
         }
     for (int i = 0; i < 6; i++)
         for (int c = from; c < BY_BASE; c++) B[i][c] += W[i][c];
+}
+/* R = S^-1; 0 in lanes whose S is singular. */
+WF_INLINE void invert6(real S[6][6], real R[6][6])
+{
+    real copy[6][6];
+    by_base B;
+    memcpy(copy, S, sizeof copy);
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < BY_BASE; c++) B[i][c] = real_of(i == c);
+    real_truth singular = solve6(copy, B, 0);
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 6; c++) R[i][c] = real_choose(singular, real_of(0), B[i][c]);
+}
+
+/* Factors of struct wf_beam_small but R. S: base wrench by y, without the part above. */
+WF_INLINE void small_of(fixed half, const struct statics *q, const struct wf_beam_wrench at[2],
+                        const struct wf_beam_reaction *above, real P[6][6], real S[6][6],
+                        struct wf_beam_small *o)
+{
+    real KP[6][6];
+    memcpy(o->P, P, sizeof o->P);
+    memcpy(o->Vn, q->Vn, sizeof o->Vn);
+    memcpy(o->Y, q->Y, sizeof o->Y);
+    for (int j = 0; j < 2; j++) memcpy(o->n[j], at[j].n, sizeof o->n[j]);
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 6; c++) {
+            KP[i][c] = real_of(0);
+            for (int m = 0; m < 6; m++) KP[i][c] += above->K[i][m] * P[m][c];
+            o->T[i][c] = S[i][c] + KP[i][c];
+        }
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 6; c++)
+            for (int m = 0; m < 3; m++)
+                o->T[3 + i][c] += half * (q->Vn[0][3 * i + m] + q->Vn[1][3 * i + m]) * KP[m][c];
 }
 #endif

@@ -106,11 +106,11 @@ struct wf_beam_stability {
 
 /* Factors kept to solve for small extra loads about the present state (solve/beam_small.h). */
 struct wf_beam_small {
-    double R[6][6];  /* y = R d, d: change of moment at the Gauss points at a fixed base */
-    double P[6][6];  /* change of the end by y */
-    double T[6][6];  /* change of the base wrench by y, through the part above and the loads */
-    double Vn[2][9]; /* dn_end -> d(r' x n) */
-    double Y[2][9];  /* spin -> dr' */
-    double n[2][3];  /* force */
+    real R[6][6];  /* y = R d, d: change of moment at the Gauss points at a fixed base */
+    real P[6][6];  /* change of the end by y */
+    real T[6][6];  /* change of the base wrench by y, through the part above and the loads */
+    real Vn[2][9]; /* dn_end -> d(r' x n) */
+    real Y[2][9];  /* spin -> dr' */
+    real n[2][3];  /* force */
 };
 #endif

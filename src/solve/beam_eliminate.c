@@ -50,39 +50,6 @@ void wf_beam_curvature(const struct wf_beam_part *p, const struct wf_beam_shape 
 
 /* Its elimination. */
 
-static void invert6(double S[6][6], double R[6][6])
-{
-    double copy[6][6];
-    memcpy(copy, S, sizeof copy);
-    by_base B = { { 0 } };
-    for (int i = 0; i < 6; i++) B[i][i] = 1;
-    if (solve6(copy, B, 0)) memset(B, 0, sizeof B);
-    for (int i = 0; i < 6; i++) memcpy(R[i], B[i], sizeof R[i]);
-}
-
-/* Keep the factors of struct wf_beam_small. S: base wrench by y, without the part above. */
-static void keep_small_loads(const struct statics *q, const struct wf_beam_wrench at[2],
-                             const struct wf_beam_reaction *above, double half, double P[6][6],
-                             double S[6][6], struct wf_beam_small *o)
-{
-    memcpy(o->P, P, sizeof o->P);
-    memcpy(o->Vn, q->Vn, sizeof o->Vn);
-    memcpy(o->Y, q->Y, sizeof o->Y);
-    for (int j = 0; j < 2; j++) memcpy(o->n[j], at[j].n, sizeof o->n[j]);
-    for (int i = 0; i < 6; i++)
-        for (int c = 0; c < 6; c++) {
-            o->T[i][c] = S[i][c];
-            for (int m = 0; m < 6; m++) o->T[i][c] += above->K[i][m] * P[m][c];
-        }
-    for (int i = 0; i < 3; i++)
-        for (int c = 0; c < 6; c++)
-            for (int m = 0; m < 3; m++) {
-                double dn = 0;
-                for (int l = 0; l < 6; l++) dn += above->K[m][l] * P[l][c];
-                o->T[3 + i][c] += half * (q->Vn[0][3 * i + m] + q->Vn[1][3 * i + m]) * dn;
-            }
-}
-
 /* Solve for y = -A (p_base, 1). With `guard`, an element whose step is too large is taken by itself, with no
  * reaction on the part below (*apart). */
 WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
@@ -129,7 +96,7 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 8; c++) y[i][c] = -y[i][c];
 
-    if (small) keep_small_loads(&q, at, node, half, P, S, small);
+    if (small) small_of(half, &q, at, node, P, S, small);
     follow_answer(half, &q, node, P, S, y, 0, Z, B);
     for (int i = 0; i < 6; i++) {
         for (int c = 0; c < 6; c++) o->X[i][c] = y[i][c], node->K[i][c] = Z[i][c];

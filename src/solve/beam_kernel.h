@@ -7,11 +7,32 @@
 #include "load/line_load.h"
 #include "solve/beam_element.h"
 
+/* The constants of an element: doubles, which all lanes share where these are states of one element; of each
+ * lane its own where the lanes are elements of one state (WF_ELEMENTS_ABREAST). */
+#ifdef WF_ELEMENTS_ABREAST
+typedef real fixed;
+struct fixed_point {
+    real diameter, drag, lift, sail, mass;
+};
+typedef struct { /* struct wf_beam_part from h on */
+    real h, t[2][3], ei[2], gj[2], ca[2], cs[2], spin[2];
+    struct fixed_point line[2];
+    real dead[2][3], k0[2][3], g0[2][3];
+} element;
+WF_INLINE int any_positive(fixed x) { return real_any(real_below(real_of(0), x)); }
+WF_INLINE fixed larger(fixed a, fixed b) { return real_max(a, b); }
+#else
+typedef double fixed;
+typedef struct wf_beam_part element;
+WF_INLINE int any_positive(fixed x) { return x > 0; }
+WF_INLINE fixed larger(fixed a, fixed b) { return a > b ? a : b; }
+#endif
+
 /* Section law in bending and torsion. flat NULL (a constant where these are inlined) means a round
  * section. */
 
 /* y = G^-1 x: moment of a curvature */
-WF_INLINE void law_hold(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE void law_hold(const element *p, const struct wf_beam_flat *flat,
                         const struct wf_beam_stage *s, int j, const real x[3], real y[3])
 {
     real more = flat ? flat->more[j] * wf_dot(flat->across[j], x) : real_of(0);
@@ -20,7 +41,7 @@ WF_INLINE void law_hold(const struct wf_beam_part *p, const struct wf_beam_flat 
 }
 
 /* y = G x: curvature of a moment */
-WF_INLINE void law_give(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE void law_give(const element *p, const struct wf_beam_flat *flat,
                         const struct wf_beam_stage *s, int j, const real x[3], real y[3])
 {
     real more = flat ? flat->give[j] * wf_dot(flat->across[j], x) : real_of(0);
@@ -29,7 +50,7 @@ WF_INLINE void law_give(const struct wf_beam_part *p, const struct wf_beam_flat 
 }
 
 /* C += G^-1 B */
-WF_INLINE void law_hold_mul(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE void law_hold_mul(const element *p, const struct wf_beam_flat *flat,
                             const struct wf_beam_stage *s, int j, const real B[9], real C[9])
 {
     m3_add_section_mul(C, real_of(p->ei[j]), real_of(p->gj[j]), s->t[j], B);
@@ -65,7 +86,7 @@ WF_INLINE void rotate(const struct rotation *o, const real v[3], real x2, const 
 /* A vector fixed to the section at Gauss point j, of an element whose base is rotated by L: `local` in the
  * axes of the base, `out` in global ones. */
 WF_INLINE void turn_with_section(const struct wf_beam_shape *u, const struct turns *o, const real L[9], int j,
-                                 const double x[3], real local[3], real out[3])
+                                 const fixed x[3], real local[3], real out[3])
 {
     real given[3];
     for (int i = 0; i < 3; i++) given[i] = real_of(x[i]);
@@ -74,7 +95,7 @@ WF_INLINE void turn_with_section(const struct wf_beam_shape *u, const struct tur
 }
 
 /* Tangent, r' and state at rest at Gauss point j of an element whose base is rotated by L. */
-WF_INLINE void axis_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
+WF_INLINE void axis_of(const element *p, const struct wf_beam_shape *u, const struct turns *o,
                        const real L[9], int j, struct wf_beam_stage *s)
 {
     real local[3];
@@ -86,7 +107,7 @@ WF_INLINE void axis_of(const struct wf_beam_part *p, const struct wf_beam_shape 
 }
 
 /* State at the Gauss points, from the unknowns and the pose of the base. */
-WF_INLINE void stage_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
+WF_INLINE void stage_of(const element *p, const struct wf_beam_shape *u, const struct turns *o,
                         const struct wf_beam_pose *base, struct wf_beam_stage *s)
 {
     for (int j = 0; j < 2; j++) axis_of(p, u, o, base->L, j, s);
@@ -107,7 +128,7 @@ WF_INLINE void end_rotation(const struct turns *o, const real base_L[9], real L[
 }
 
 /* Pose of the end. */
-WF_INLINE void end_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
+WF_INLINE void end_of(const element *p, const struct wf_beam_shape *u, const struct turns *o,
                       const struct wf_beam_pose *base, struct wf_beam_pose *end)
 {
     real sum[3], rise[3];
@@ -123,7 +144,7 @@ WF_INLINE void end_of(const struct wf_beam_part *p, const struct wf_beam_shape *
 }
 
 /* Both, from the base up. */
-WF_INLINE void place_element(const struct wf_beam_part *p, const struct wf_beam_shape *u,
+WF_INLINE void place_element(const element *p, const struct wf_beam_shape *u,
                              const struct wf_beam_pose *base, struct wf_beam_stage *s,
                              struct wf_beam_pose *end)
 {
@@ -147,7 +168,7 @@ WF_INLINE void side_couple(const struct wf_beam_flat *flat, real couple[2][3])
 
 /* Internal forces at the Gauss points and the base, from those at the end, by balance. h: length [m]; flat
  * NULL: round section. */
-WF_INLINE void balance_element(double h, const struct wf_beam_stage *s, const struct wf_beam_flat *flat,
+WF_INLINE void balance_element(fixed h, const struct wf_beam_stage *s, const struct wf_beam_flat *flat,
                                const struct real_load load[2], const struct wf_beam_wrench *end,
                                struct wf_beam_wrench at[2], struct wf_beam_wrench *base)
 {
@@ -169,12 +190,12 @@ WF_INLINE void balance_element(double h, const struct wf_beam_stage *s, const st
 }
 
 /* Curvature change k at the Gauss points in base axes [1/m]. */
-WF_INLINE void curvature_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, real k[2][3])
+WF_INLINE void curvature_of(const element *p, const struct wf_beam_shape *u, real k[2][3])
 {
     for (int j = 0; j < 2; j++) {
         real slope[3], once[3], twice[3], x = wf_dot(u->v[j], u->v[j]);
         struct rotation o = rotation_of(x);
-        const double by[2] = { gauss_slope[j][0] / p->h, gauss_slope[j][1] / p->h };
+        const fixed by[2] = { gauss_slope[j][0] / p->h, gauss_slope[j][1] / p->h };
         for (int i = 0; i < 3; i++) slope[i] = by[0] * u->v[0][i] + by[1] * u->v[1][i];
         wf_cross(u->v[j], slope, once);
         wf_cross(u->v[j], once, twice);
@@ -197,14 +218,14 @@ struct beam_misfit {
 };
 
 /* Given: curvature k of the material law and strain residual `gap` of the element, global axes. */
-WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE void misfit_add(const element *p, const struct wf_beam_flat *flat,
                           const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], real k[2][3],
                           real gap[2][3], struct beam_misfit *sum)
 {
     const double slight = 1e-3; /* times n h: lower bound of the moment the error is measured against */
     for (int j = 0; j < 2; j++) {
         real miss[3], work[3], strain[3];
-        const double least = slight * slight * p->h * p->h * (1 / p->ei[j]);
+        const fixed least = slight * slight * p->h * p->h * (1 / p->ei[j]);
         law_give(p, flat, s, j, at[j].m, work);
         for (int i = 0; i < 3; i++)
             miss[i] = k[j][i] - work[i], strain[i] = gap[j][i] + s->rp[j][i] - s->t[j][i] + s->g0[j][i];
@@ -218,7 +239,7 @@ WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_fla
 }
 
 /* Strain H n - g0 at a Gauss point, in the axes that rotate with the base. */
-WF_INLINE void strain_of(const struct wf_beam_part *p, const real L[9], const struct wf_beam_stage *s,
+WF_INLINE void strain_of(const element *p, const real L[9], const struct wf_beam_stage *s,
                          const struct wf_beam_wrench at[2], int j, real g[3])
 {
     real strain[3];
@@ -228,7 +249,7 @@ WF_INLINE void strain_of(const struct wf_beam_part *p, const real L[9], const st
 }
 
 /* Strain residual H n - g0 - g at the Gauss points. */
-WF_INLINE void gap_of(const struct wf_beam_part *p, const struct wf_beam_stage *s,
+WF_INLINE void gap_of(const element *p, const struct wf_beam_stage *s,
                       const struct wf_beam_wrench at[2], real gap[2][3])
 {
     for (int j = 0; j < 2; j++) {
@@ -249,7 +270,7 @@ struct kinematics {
 /* Damping of one element, whose tangent is stiffened in proportion to the rotation its material law residual
  * asks for. Twigs that bend double then do not shorten the Newton step of the whole tree. The damping goes
  * to zero with the residual, at the same rate, so that convergence remains quadratic. */
-WF_INLINE real element_damping(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE real element_damping(const element *p, const struct wf_beam_flat *flat,
                                const struct kinematics *c, const struct wf_beam_stage *s,
                                const struct wf_beam_wrench at[2])
 {
@@ -273,11 +294,11 @@ WF_INLINE void stiffen_kinematics(struct kinematics *c, real factor)
             for (int i = 0; i < 9; i++) c->QP[j][m][i] *= factor;
 }
 
-WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u,
+WF_INLINE void kinematics_of(const element *p, const struct wf_beam_shape *u,
                              const struct turns *o, const real L[9], const struct wf_beam_stage *s,
                              const struct wf_beam_creep *creep, struct kinematics *c)
 {
-    const double per = 1 / p->h;
+    const fixed per = 1 / p->h;
     real v[2][3], T[2][9], Ti[2][9], D[9], end[3], Te[9];
     for (int j = 0; j < 2; j++) m3_apply(L, u->v[j], v[j]);
     m3_apply(L, o->end, end);
@@ -338,11 +359,11 @@ WF_INLINE void by_place_mul(enum variation kind, const real B[9], const real Y[9
 }
 
 /* dr' and d(r' x n) by spins and by the force of the end. */
-WF_INLINE void stretch_statics(const struct wf_beam_part *p, const struct wf_beam_stage *s,
+WF_INLINE void stretch_statics(const element *p, const struct wf_beam_stage *s,
                                const struct wf_beam_wrench at[2], struct statics *c)
 {
     for (int j = 0; j < 2; j++) {
-        const double more = p->ca[j] - p->cs[j];
+        const fixed more = p->ca[j] - p->cs[j];
         real tn[3], turn[3];
         wf_cross(s->t[j], at[j].n, tn);
         for (int i = 0; i < 3; i++)
@@ -353,7 +374,7 @@ WF_INLINE void stretch_statics(const struct wf_beam_part *p, const struct wf_bea
         m3_add_cross(c->Y[j], real_of(-1), s->rp[j]);
         m3_add_cross(c->Vn[j], real_of(1),
                      s->rp[j]); /* [r'] - [n] H,  [n] H = cs [n] - (ca - cs) (t x n) t' */
-        if (p->cs[j] > 0) {
+        if (any_positive(p->cs[j])) {
             m3_add_cross(c->Y[j], real_of(p->cs[j]), at[j].n);
             m3_add_cross(c->Vn[j], real_of(-p->cs[j]), at[j].n);
         }
@@ -362,7 +383,7 @@ WF_INLINE void stretch_statics(const struct wf_beam_part *p, const struct wf_bea
     }
 }
 
-WF_INLINE void statics_of(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+WF_INLINE void statics_of(const element *p, const struct wf_beam_flat *flat,
                           const struct wf_beam_stage *s, const struct real_load load[2], enum variation kind,
                           const struct wf_beam_wrench at[2], struct statics *c)
 {
@@ -370,7 +391,7 @@ WF_INLINE void statics_of(const struct wf_beam_part *p, const struct wf_beam_fla
     stretch_statics(p, s, at, c);
     for (int j = 0; j < 2; j++)
         for (int m = 0; m < 2; m++) {
-            const double up = p->h * gauss_up[j][m];
+            const fixed up = p->h * gauss_up[j][m];
             by_place_mul(kind, load[j].by_place, c->Y[m], c->F[j][m]);
             for (int i = 0; i < 9; i++) {
                 if (kind != VARIES_NOT) c->F[j][m][i] *= up;
@@ -378,7 +399,7 @@ WF_INLINE void statics_of(const struct wf_beam_part *p, const struct wf_beam_fla
             }
         }
     for (int j = 0; j < 2; j++) {
-        const double d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
+        const fixed d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
         real N[9];
         for (int m = 0; m < 2; m++) {
             for (int i = 0; i < 9; i++) N[i] = d0 * c->F[0][m][i] + d1 * c->F[1][m][i];

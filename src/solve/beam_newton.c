@@ -29,14 +29,43 @@ static bool on_held(const struct wf_beam *b, size_t i)
     return b->held && below >= 0 && b->held[below];
 }
 
+/* Are the elements that do not stand on the ground computed by groups? */
+static bool by_groups(const struct wf_beam *b)
+{
+    return b->groups.n && !b->flat && !b->held && !(b->creep > 0);
+}
+
+static struct wf_groups_sweep groups_of(const struct wf_beam *b)
+{
+    return (struct wf_groups_sweep){ .mesh = &b->mesh,
+                                     .groups = &b->groups,
+                                     .loads = &b->loads,
+                                     .shape = &b->shape->v[0][0],
+                                     .pose = b->pose->r,
+                                     .stage = &b->stage->r[0][0],
+                                     .wrench = b->wrench->n,
+                                     .load = &b->load[0][0][0],
+                                     .node = &b->node->K[0][0],
+                                     .answer = &b->answer->X[0][0],
+                                     .small = b->small ? &b->small->R[0][0] : NULL,
+                                     .off = b->off,
+                                     .weak = b->weak,
+                                     .frozen = b->frozen };
+}
+
 void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
+    const bool groups = by_groups(b);
     b->counted = false;
     for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i))
+        if (!held(b, i) && !(groups && b->mesh.part[i].parent >= 0))
             wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
                           &b->pose[i]);
+    if (groups) {
+        struct wf_groups_sweep all = groups_of(b);
+        wf_groups_kernel()->up(&all);
+    }
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
         if (held(b, i)) continue;
         b->flat[i] = b->mesh.flat[i];
@@ -169,6 +198,7 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
 /* Loads of elements, computed some ahead of the sweep down, side by side. */
 struct ahead {
     const struct wf_lanes_kernel *kernel;
+    size_t most; /* at once */
     size_t n, used;
     struct wf_line_load load[AHEAD][2];
 };
@@ -178,7 +208,7 @@ static void load_ahead(const struct wf_beam *b, size_t i, struct ahead *a)
 {
     struct wf_lanes_point point[2 * AHEAD];
     size_t points = 0;
-    for (size_t k = i + 1; k-- > 0 && points < 2 * AHEAD;)
+    for (size_t k = i + 1; k-- > 0 && points < 2 * a->most;)
         for (int j = 0; j < 2 && !held(b, k); j++)
             point[points++] = (struct wf_lanes_point){ b->stage[k].r[j], b->stage[k].t[j],
                                                        b->mesh.part[k].dead[j], &b->mesh.part[k].line[j] };
@@ -196,9 +226,22 @@ static struct wf_line_load *load_of(const struct wf_beam *b, size_t i, struct ah
     return load;
 }
 
+/* The groups on the way down. */
+static bool groups_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
+{
+    struct wf_groups_sweep x = groups_of(b);
+    x.tangent = tangent, x.guard = guard, x.counting = count;
+    if (count) x.margin = count->margin;
+    bool whole = wf_groups_kernel()->down(&x);
+    b->misfit = (struct wf_beam_misfit){ x.bending, x.energy, x.strain, x.turn };
+    if (count) count->negative = x.negative, count->bears = x.bears;
+    return whole;
+}
+
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
-    struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST) };
+    const bool groups = by_groups(b);
+    struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST), .most = groups ? 1 : AHEAD };
     struct wf_beam_pose ground;
     double first[3] = { 0, 0, 0 };
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
@@ -211,8 +254,9 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     set_side_weight(b);
     if (tangent) react_nodes(b);
     memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
+    if (groups && !groups_down(b, tangent, guard, count)) return false;
     for (size_t i = b->mesh.n; i-- > 0;) {
-        if (held(b, i)) continue;
+        if (held(b, i) || (groups && b->mesh.part[i].parent >= 0)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
@@ -257,6 +301,17 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 
 /* The beam and Newton's method. */
 
+/* What Newton's method works with. */
+static bool take_newton(struct wf_beam *b, struct wf_arena *a)
+{
+    size_t n = b->mesh.n;
+    b->node = WF_TAKE(a, n, struct wf_beam_reaction);
+    b->answer = WF_TAKE(a, n, struct wf_beam_answer);
+    b->change = wf_arena_take(a, n, sizeof *b->change);
+    b->dv = wf_arena_take(a, n, sizeof *b->dv);
+    return b->node && b->answer && b->change && b->dv;
+}
+
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e)
@@ -265,6 +320,8 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     enum wf_status status = wf_beam_mesh_build(t, l, o, pieces, a, &b->mesh, e);
     if (status) return status;
     wf_beam_rest(&b->mesh, l->gravity * l->weight_scale);
+    if (newton && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
+    struct wf_arena *forces = newton ? newton : a;
     size_t n = b->mesh.n;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
@@ -273,16 +330,12 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->root_hold = wf_arena_take(a, t->n, sizeof *b->root_hold);
     b->shape = WF_TAKE(a, n, struct wf_beam_shape);
     b->pose = WF_TAKE(a, n, struct wf_beam_pose);
-    b->stage = WF_TAKE(newton, n, struct wf_beam_stage);
+    b->stage = WF_TAKE(forces, n, struct wf_beam_stage);
     if (b->mesh.flat) b->flat = WF_TAKE(a, n, struct wf_beam_flat);
-    b->wrench = WF_TAKE(newton, n, struct wf_beam_wrench);
-    b->load = wf_arena_take(newton, n, sizeof *b->load);
-    b->node = WF_TAKE(newton, n, struct wf_beam_reaction);
-    b->answer = WF_TAKE(newton, n, struct wf_beam_answer);
-    b->change = wf_arena_take(newton, n, sizeof *b->change);
-    b->dv = wf_arena_take(newton, n, sizeof *b->dv);
+    b->wrench = WF_TAKE(forces, n, struct wf_beam_wrench);
+    b->load = wf_arena_take(forces, n, sizeof *b->load);
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
-        !b->pose || !b->stage || !b->wrench || !b->load || !b->node || !b->answer || !b->change || !b->dv ||
+        !b->pose || !b->stage || !b->wrench || !b->load || (newton && !take_newton(b, newton)) ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
     return WF_OK;

@@ -4,9 +4,11 @@
 /* All elements of a tree together: sweeps up and down the tree, Newton's method, and what to do when Newton
  * stalls. */
 #include "solve/beam_element.h"
+#include "solve/beam_groups.h"
 
 struct wf_beam {
     struct wf_beam_mesh mesh;
+    struct wf_beam_groups groups; /* of elements that are computed side by side */
     struct wf_loads loads; /* a copy: load steps change its scale factors */
     const struct wf_solve_options *options;
     double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
@@ -45,7 +47,7 @@ struct wf_beam {
 
 /* Build the mesh and the state with the unloaded shape. Mesh and shape (shape, pose, tilt, base) are in `a`;
  * what Newton's method works with (stage, wrench, load, node, answer, change, dv), two thirds of the memory,
- * in `newton`, which may be `a`. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
+ * in `newton`, which may be `a`; NULL: only sweeps down without the tangent will be made. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e);

@@ -373,14 +373,20 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
 
 /* The answer, and that at the other loads: one Newton step further at each, of which the first takes away
  * what Newton's method has left. */
-static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, struct wf_arena *a,
-                                struct wf_tracked *out, struct wf_err *e)
+static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone,
+                                struct wf_arena *a, struct wf_tracked *out, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
-    enum wf_status s = wf_response_alloc(&out->side, k->tree->n, a, e);
+    enum wf_status s = alone ? WF_OK : wf_response_alloc(&out->side, k->tree->n, a, e);
     if (s) return s;
     if (!wf_beam_finish(b)) return WF_OK;
     wf_beam_read(b, &out->at);
+    out->finished = true;
+    if (alone) { /* sways are about it */
+        keep(k, k->last);
+        b->loads = *side;
+        return WF_OK;
+    }
     keep(k, k->lead);
     put_back(k, k->last);
     wf_beam_sweep_up(b);
@@ -415,8 +421,8 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     k->speed = wind_of(l);
     if (!l->wind) keep(k, k->rest);
     k->rested = k->rested || !l->wind;
-    if (side) s = read_both(k, side, a, out, e);
-    if (!out->sided) wf_beam_read(&k->beam, &out->at);
+    if (side) s = read_both(k, side, start->alone, a, out, e);
+    if (!out->sided && !(start->alone && out->finished)) wf_beam_read(&k->beam, &out->at);
     out->at.load_factor = k->outcome.load_factor;
     keep_station(k, out->sided);
     put_back(k, k->last);

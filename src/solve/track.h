@@ -22,7 +22,7 @@ void wf_track_close(struct wf_track *k);
 struct wf_tracked {
     struct wf_response at;   /* at the loads */
     struct wf_response side; /* at the other loads, where `sided` */
-    bool sided;
+    bool sided, finished;    /* `at` is a step of Newton's method further than it needs to be */
     bool irregular; /* small parts are not stable, or a limit point lies on the way to the full load */
 };
 
@@ -32,6 +32,7 @@ struct wf_track_start {
     double share;           /* `side` are the loads of a wind that is faster by this share [-] */
     struct wf_track *other; /* a track of the same tree, whose last solution may become another of its own
                                (NULL: none) */
+    bool alone;             /* the answer to `side` is not wanted, and no solution follows on this track */
 };
 
 /* Equilibrium at the loads `l`. Given: `side` (NULL: not wanted), loads that differ from l by a small d; the

@@ -35,6 +35,7 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
     static const char *const together =
         "The given winds act together with it; a wind in which it stays on the tree is less than a design "
         "wind (snow falls off above about 9 m/s)";
+    if (!(an->scenario.snow > 0) && !(an->scenario.ice > 0)) return WF_OK;
     double width = wf_silhouette_size(an->model, wf_tree_height(&an->tree)).breadth;
     double area = wf_crown_projection(&an->tree, isnan(width) ? 0 : width), mass = area * an->scenario.snow;
     if (an->scenario.snow > 0) {

@@ -70,8 +70,8 @@ struct wf_nodes {
     double deadline; /* of the process's time [s] */
     bool late;
     size_t n;
-    struct wf_node node[WF_NODES_MAX];
     struct sequence sequence[TRACKS];
+    struct wf_node node[WF_NODES_MAX]; /* the last: those beyond n are not set */
 };
 
 static double processor_seconds(void)
@@ -89,8 +89,9 @@ static void take_still(struct wf_nodes *k)
 
 struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like)
 {
-    struct wf_nodes *k = calloc(1, sizeof *k);
+    struct wf_nodes *k = malloc(sizeof *k);
     if (!k) return NULL;
+    memset(k, 0, offsetof(struct wf_nodes, node));
     k->an = an;
     k->like = like;
     if (like) take_still(k);
@@ -315,8 +316,8 @@ static enum wf_status solve_state(struct wf_nodes *k, struct sequence *q, enum w
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     struct wf_node_state *to = &node->state[part];
-    enum wf_status s =
-        wf_speed_track(k->an, load[part], q->track[part], speed, other_track(k, q, part), &scratch, &r, e);
+    const struct wf_track_start near = { .other = other_track(k, q, part) };
+    enum wf_status s = wf_speed_track(k->an, load[part], q->track[part], speed, &near, &scratch, &r, e);
     wf_stage_step(1);
     if (!s && !r.at.status) s = read_state(k, part, &r, &scratch, node, e);
     if (!s) {

@@ -518,7 +518,7 @@ enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const d
 }
 
 enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *k,
-                              double speed, struct wf_track *other, struct wf_arena *a,
+                              double speed, const struct wf_track_start *near, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e)
 {
     const double share = 3e-7;
@@ -526,7 +526,7 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     struct wf_loads loads, side;
     struct wf_tracked t;
     struct wf_err why = { 0 };
-    const struct wf_track_start start = { share, other };
+    const struct wf_track_start start = { share, near ? near->other : NULL, near && near->alone };
     *out = (struct wf_speed_answers){ .at = { .speed = speed, .steady = unknown } };
     blow(an, speed, part, &wind, &loads);
     blow(an, speed * (1.0 + share), part, &more, &side);

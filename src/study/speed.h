@@ -167,16 +167,17 @@ void wf_speed_take_branches(const struct wf_analysis *an, const struct wf_at_spe
                             struct wf_at_speed *at);
 
 struct wf_track; /* solve/track.h */
+struct wf_track_start;
 struct wf_speed_answers {
     struct wf_at_speed at, side; /* at the speed, and first-order at the speed plus `step`; without figures */
     double step;                 /* [m/s]; 0: there is no side */
     bool irregular;              /* as struct wf_tracked */
 };
-/* As wf_speed_totals, in one state, for a solver that can be tracked: `track` is one of the analysis' tree,
- * `other` another of it, from one of whose solutions this may start (NULL: none). Columns of the answers are
- * in `a`. */
+/* As wf_speed_totals, in one state, for a solver that can be tracked: `track` is one of the analysis' tree;
+ * `near` says where it may start, its share is not looked at (NULL: by the track itself). Columns of the
+ * answers are in `a`. */
 enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *track,
-                              double speed, struct wf_track *other, struct wf_arena *a,
+                              double speed, const struct wf_track_start *near, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e);
 
 #ifdef __cplusplus

@@ -1,0 +1,543 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* One kernel for groups of elements; compiled for each width (WF_WIDTH). */
+#include "solve/beam_groups.h"
+#define WF_ELEMENTS_ABREAST
+#include "load/line_load.h"
+#include "solve/beam_condense.h"
+#include "solve/beam_lanes.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+#define NAMED(width) NAMED_(width)
+#define NAMED_(width) wf_groups_##width
+
+/* Numbers of an element in the arrays of struct wf_groups_sweep. */
+enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 42, SMALL = 150 };
+enum { PART = sizeof(element) / sizeof(real) };
+_Static_assert(sizeof(struct wf_beam_part) == offsetof(struct wf_beam_part, h) + PART * sizeof(double),
+               "struct element is struct wf_beam_part from h on");
+_Static_assert(sizeof(struct wf_beam_shape) == SHAPE * sizeof(real) &&
+                   sizeof(struct wf_beam_stage) == STAGE * sizeof(real) &&
+                   sizeof(struct wf_beam_reaction) == REACTION * sizeof(real) &&
+                   sizeof(struct wf_beam_small) == SMALL * sizeof(real),
+               "numbers of an element");
+
+/* The lanes' places in an array of all elements. */
+struct places {
+    double *at[WF_WIDTH];
+};
+
+/* The first n numbers at each lane's place. */
+WF_INLINE void gather(const struct places *from, size_t n, real *to)
+{
+    for (size_t q = 0; n < WF_WIDTH && q < n; q++)
+        for (int k = 0; k < WF_WIDTH; k++) real_lane(to[q], k) = from->at[k][q];
+#pragma GCC unroll 8
+    for (size_t q = 0; n >= WF_WIDTH && q < n; q += WF_WIDTH) {
+        size_t at = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
+        real block[WF_WIDTH];
+        for (int k = 0; k < WF_WIDTH; k++) memcpy(&block[k], from->at[k] + at, sizeof(real));
+        real_transpose(block);
+        for (int k = 0; k < WF_WIDTH; k++) to[at + (size_t)k] = block[k];
+    }
+}
+
+/* Numbers to the places of the first `some` lanes. */
+WF_INLINE void scatter(const real *from, size_t n, size_t some, const struct places *to)
+{
+    for (size_t q = 0; n < WF_WIDTH && q < n; q++)
+        for (size_t k = 0; k < some; k++) to->at[k][q] = real_lane(from[q], k);
+#pragma GCC unroll 8
+    for (size_t q = 0; n >= WF_WIDTH && q < n; q += WF_WIDTH) {
+        size_t at = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
+        real block[WF_WIDTH];
+        for (int k = 0; k < WF_WIDTH; k++) block[k] = from[at + (size_t)k];
+        real_transpose(block);
+        for (size_t k = 0; k < some; k++) memcpy(to->at[k] + at, &block[k], sizeof(real));
+    }
+}
+
+/* Add the numbers to those at the places of the first `some` lanes, one lane after another, for several may
+ * stand on one element. */
+WF_INLINE void scatter_add(const real *from, size_t n, size_t some, const struct places *to)
+{
+    for (size_t q = 0; q < n; q += WF_WIDTH) {
+        size_t count = n - q < WF_WIDTH ? n - q : WF_WIDTH;
+        real block[WF_WIDTH];
+        for (size_t k = 0; k < WF_WIDTH; k++) block[k] = k < count ? from[q + k] : real_of(0);
+        real_transpose(block);
+        for (size_t k = 0; k < some && count == WF_WIDTH; k++) {
+            real sum;
+            memcpy(&sum, to->at[k] + q, sizeof sum);
+            sum += block[k];
+            memcpy(to->at[k] + q, &sum, sizeof sum);
+        }
+        for (size_t k = 0; k < some && count < WF_WIDTH; k++)
+            for (size_t c = 0; c < count; c++) to->at[k][q + c] += real_lane(block[k], c);
+    }
+}
+
+/* Up to WF_WIDTH elements of a group. Lanes to spare repeat the first element, and nothing is kept of them.
+ */
+struct some {
+    size_t n;
+    const int32_t *id;
+    real_truth here;
+};
+
+WF_INLINE struct some some_of(const struct wf_beam_group *g, size_t from)
+{
+    size_t left = (size_t)g->n - from;
+    struct some s = { .n = left < WF_WIDTH ? left : WF_WIDTH, .id = g->id + from };
+#if WF_WIDTH == 8
+    const real_truth lane = { 0, 1, 2, 3, 4, 5, 6, 7 };
+#elif WF_WIDTH == 4
+    const real_truth lane = { 0, 1, 2, 3 };
+#else
+    const real_truth lane = 0;
+#endif
+    s.here = (real_truth)(lane < (int64_t)s.n);
+#if WF_WIDTH == 1
+    s.here = -s.here;
+#endif
+    return s;
+}
+
+WF_INLINE struct places places_of(const struct some *s, double *array, size_t per_element)
+{
+    struct places p;
+    for (size_t k = 0; k < WF_WIDTH; k++) p.at[k] = array + (size_t)s->id[k] * per_element;
+    return p;
+}
+/* The same of the elements below. */
+WF_INLINE struct places places_below(const struct wf_groups_sweep *x, const struct some *s, double *array,
+                                     size_t per_element)
+{
+    struct places p;
+    for (size_t k = 0; k < WF_WIDTH; k++)
+        p.at[k] = array + (size_t)x->mesh->part[s->id[k]].parent * per_element;
+    return p;
+}
+
+WF_INLINE void gather_part(const struct wf_groups_sweep *x, const struct some *s, element *p)
+{
+    struct places from;
+    for (size_t k = 0; k < WF_WIDTH; k++) from.at[k] = &x->mesh->part[s->id[k]].h;
+    gather(&from, PART, (real *)p);
+}
+
+/* The lanes are anywhere in memory, where the processor does not expect them: fetch those of the next group
+ * while this one is computed. */
+WF_INLINE void fetch(const double *array, size_t id, size_t per_element)
+{
+    enum { LINE = 8 }; /* numbers */
+    for (size_t q = 0; q < per_element; q += LINE) __builtin_prefetch(array + id * per_element + q);
+}
+
+WF_INLINE void fetch_up(const struct wf_groups_sweep *x, const struct wf_beam_group *g)
+{
+    for (int k = 0; k < g->n; k++) {
+        size_t i = (size_t)g->id[k];
+        fetch((const double *)x->mesh->part, i, PART + 1);
+        fetch(x->shape, i, SHAPE), fetch(x->stage, i, STAGE), fetch(x->pose, i, POSE);
+    }
+}
+
+WF_INLINE void fetch_down(const struct wf_groups_sweep *x, const struct wf_beam_group *g)
+{
+    for (int k = 0; k < g->n; k++) {
+        size_t i = (size_t)g->id[k];
+        fetch((const double *)x->mesh->part, i, PART + 1);
+        fetch(x->shape, i, SHAPE), fetch(x->stage, i, STAGE);
+        fetch(x->wrench, i, WRENCH), fetch(x->load, i, LOAD);
+        if (x->tangent) fetch(x->node, i, REACTION), fetch(x->answer, i, REACTION);
+    }
+}
+
+/* From the base up. */
+
+static __attribute__((noinline)) void up_some(const struct wf_groups_sweep *x, const struct some *s)
+{
+    element p;
+    struct wf_beam_shape u;
+    struct wf_beam_pose base, end;
+    struct wf_beam_stage stage;
+    struct places at = places_of(s, x->shape, SHAPE);
+    gather_part(x, s, &p);
+    gather(&at, SHAPE, (real *)&u);
+    at = places_below(x, s, x->pose, POSE);
+    gather(&at, POSE, (real *)&base);
+    place_element(&p, &u, &base, &stage, &end);
+    at = places_of(s, x->stage, STAGE);
+    scatter((real *)&stage, STAGE, s->n, &at);
+    at = places_of(s, x->pose, POSE);
+    scatter((real *)&end, POSE, s->n, &at);
+}
+
+static void up(struct wf_groups_sweep *x)
+{
+    for (size_t g = x->groups->n; g-- > 0;) {
+        const struct wf_beam_group *group = &x->groups->group[g];
+        if (g) fetch_up(x, group - 1);
+        for (size_t from = 0; from < (size_t)group->n; from += WF_WIDTH) {
+            struct some s = some_of(group, from);
+            up_some(x, &s);
+        }
+    }
+}
+
+/* From the tips down. */
+
+struct work {
+    struct wf_groups_sweep *x;
+    struct air air;
+    struct beam_misfit misfit[WF_GROUP / WF_WIDTH];
+    bool broken;
+};
+
+/* An element with its state, and what of it is passed on. */
+struct taken {
+    element p;
+    struct wf_beam_shape u;
+    struct wf_beam_pose base;
+    struct wf_beam_stage s;
+    struct wf_beam_wrench end, at[2], down;
+    struct wf_beam_reaction above;
+    struct real_load load[2];
+};
+
+WF_INLINE void load_at(const struct work *w, int j, struct taken *t)
+{
+    const struct wf_loads *l = w->x->loads;
+    const struct fixed_point *line = &t->p.line[j];
+    struct real_point point = { .diameter = line->diameter,
+                                .drag = line->drag,
+                                .lift = line->lift,
+                                .sail = line->sail,
+                                .weight = -line->mass * l->gravity * l->weight_scale };
+    memcpy(point.x, t->s.r[j], sizeof point.x), memcpy(point.t, t->s.t[j], sizeof point.t);
+    load_points(&w->air, &point, &t->load[j]);
+    v3_add(t->load[j].force, real_of(l->point_scale), t->p.dead[j]);
+    for (int i = 0; i < 9 && w->x->frozen; i++) t->load[j].by_place[i] = t->load[j].by_turn[i] = real_of(0);
+}
+
+WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
+{
+    const struct wf_groups_sweep *x = w->x;
+    struct places at = places_of(s, x->shape, SHAPE);
+    gather_part(x, s, &t->p);
+    gather(&at, SHAPE, (real *)&t->u);
+    at = places_of(s, x->stage, STAGE), gather(&at, STAGE, (real *)&t->s);
+    at = places_below(x, s, x->pose, POSE), gather(&at, POSE, (real *)&t->base);
+    at = places_of(s, x->wrench, WRENCH), gather(&at, WRENCH, (real *)&t->end);
+    for (int j = 0; j < 2; j++) load_at(w, j, t);
+    real force[2][3];
+    for (int j = 0; j < 2; j++) memcpy(force[j], t->load[j].force, sizeof force[j]);
+    at = places_of(s, x->load, LOAD), scatter(force[0], LOAD, s->n, &at);
+    balance_element(t->p.h, &t->s, NULL, t->load, &t->end, t->at, &t->down);
+}
+
+/* Add the residual of the lanes to `sum` (of the group's part); k: curvature of the material law. */
+WF_INLINE void add_misfit(struct work *w, const struct some *s, const struct taken *t, real k[2][3],
+                          real gap[2][3], struct beam_misfit *sum)
+{
+    struct beam_misfit here = {
+        .bending = real_of(0), .energy = real_of(0), .strain = real_of(0), .turn = real_of(0)
+    };
+    misfit_add(&t->p, NULL, &t->s, t->at, k, gap, &here);
+    sum->bending += real_choose(s->here, here.bending, real_of(0));
+    sum->energy += real_choose(s->here, here.energy, real_of(0));
+    sum->strain = real_max(here.strain, sum->strain), sum->turn = real_max(here.turn, sum->turn);
+    for (size_t i = 0; i < s->n && w->x->off; i++) w->x->off[s->id[i]] = real_lane(here.bending, i);
+}
+
+WF_INLINE void pass_down(const struct work *w, const struct some *s, const struct taken *t)
+{
+    struct places to = places_below(w->x, s, w->x->wrench, WRENCH);
+    scatter_add((const real *)&t->down, WRENCH, s->n, &to);
+}
+
+static __attribute__((noinline)) void forces_of_some(struct work *w, const struct some *s, size_t part)
+{
+    struct taken t;
+    real k[2][3], gap[2][3];
+    take(w, s, &t);
+    curvature_of(&t.p, &t.u, k);
+    for (int j = 0; j < 2; j++) {
+        m3_apply(t.base.L, k[j], k[j]);
+        for (int i = 0; i < 3; i++) k[j][i] += t.s.k0[j][i];
+    }
+    gap_of(&t.p, &t.s, t.at, gap);
+    add_misfit(w, s, &t, k, gap, &w->misfit[part]);
+    pass_down(w, s, &t);
+}
+
+/* Unstable directions, per element. */
+WF_INLINE void count_unstable(struct work *w, const struct some *s, const struct taken *t, real S[6][6],
+                              const struct kinematics *k)
+{
+    struct wf_groups_sweep *x = w->x;
+    real found = unstable_directions(&t->p, S, k, real_of(x->margin));
+    for (size_t i = 0; i < s->n; i++) {
+        if (!(real_lane(found, i) > 0)) continue;
+        double n[3];
+        for (int c = 0; c < 3; c++) n[c] = real_lane(t->down.n[c], i);
+        x->negative += (size_t)real_lane(found, i);
+        x->bears = fmax(x->bears, sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]));
+        if (x->weak) x->weak[s->id[i]] = true;
+    }
+}
+
+/* Elements taken by themselves; rare. Returned: lanes that have no answer so. */
+static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, const struct kinematics *k,
+                                                         by_base A)
+{
+    return bend_apart(&t->p, NULL, k, &t->s, t->at, 0, A);
+}
+
+/* What is kept for small loads. S: the element's equations. */
+static __attribute__((noinline)) void keep_small(const struct work *w, const struct some *s,
+                                                 const struct taken *t, const struct statics *q, real P[6][6],
+                                                 real S[6][6])
+{
+    struct wf_beam_small o;
+    real T[6][6];
+    by_base B;
+    struct places to = places_of(s, w->x->small, SMALL);
+    const real half = 0.5 * t->p.h;
+    invert6(S, o.R);
+    base_wrench_of(half, q, t->load, 0, T, B);
+    small_of(half, q, t->at, &t->above, P, T, &o);
+    scatter((const real *)&o, SMALL, s->n, &to);
+}
+
+/* Solve the element's equations; where its step is too large, take it by itself. Returned: such lanes. */
+WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const struct taken *t,
+                                const struct kinematics *k, real P[6][6], real S[6][6], by_base A, int from)
+{
+    real_truth broken = solve6(S, A, from), apart = { 0 };
+    if (w->x->guard && real_any(apart = leaps(A, P) | broken)) {
+        by_base alone;
+        real_truth still = answer_apart(t, k, alone);
+        broken = (broken & ~apart) | (apart & still);
+        for (int r = 0; r < 6; r++)
+            for (int c = from; c < 7; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
+    }
+    if (real_any(broken & s->here)) w->broken = true;
+    return apart;
+}
+
+/* A row per unknown, as struct wf_beam_reaction; columns left out are those of the unit matrix times `unit`.
+ */
+WF_INLINE void keep_reaction(const struct some *s, double *array, int from, double unit, by_base A)
+{
+    real row[REACTION];
+    struct places to = places_of(s, array, REACTION);
+    for (int r = 0; r < 6; r++) {
+        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(r == c ? unit : 0) : A[r][c];
+        row[36 + r] = A[r][6];
+    }
+    scatter(row, REACTION, s->n, &to);
+}
+
+/* Rows of the end's motion that follow_answer leaves out. */
+WF_INLINE void add_left_out(real P[6][6], by_base y, int from, by_base Z)
+{
+    for (int i = 0; i < from; i++)
+        for (int m = 0; m < 6; m++)
+            for (int c = from; c < 7; c++) Z[i][c] += P[i][m] * y[m][c];
+}
+
+/* Pass the reaction on to the elements below. */
+WF_INLINE void pass_reaction(const struct work *w, const struct some *s, int from, by_base B,
+                             real_truth apart)
+{
+    real row[REACTION];
+    struct places to = places_below(w->x, s, w->x->node, REACTION);
+    if (real_any(apart))
+        for (int r = 0; r < 6; r++)
+            for (int c = from; c < 7; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
+    for (int r = 0; r < 6; r++) {
+        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(0) : B[r][c];
+        row[36 + r] = B[r][6];
+    }
+    scatter_add(row, REACTION, s->n, &to);
+}
+
+WF_INLINE void keep_strain(const struct work *w, const struct some *s, const struct taken *t)
+{
+    real g[2][3];
+    struct places to = places_of(s, w->x->shape + SHAPE / 2, SHAPE);
+    for (int j = 0; j < 2; j++) strain_of(&t->p, t->base.L, &t->s, t->at, j, g[j]);
+    scatter(g[0], SHAPE / 2, s->n, &to);
+}
+
+WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part, enum variation kind)
+{
+    const int from = first_column(kind);
+    struct taken t;
+    struct turns o;
+    struct kinematics k;
+    struct statics q;
+    real P[6][6], S[6][6], T[6][6], Mn[2][9];
+    by_base A, Z, B;
+    struct places at = places_of(s, w->x->node, REACTION);
+    take(w, s, &t);
+    gather(&at, REACTION, (real *)&t.above);
+    const real half = 0.5 * t.p.h;
+    turns_of(&t.u, &o);
+    kinematics_of(&t.p, &t.u, &o, t.base.L, &t.s, NULL, &k);
+    statics_of(&t.p, NULL, &t.s, t.load, kind, t.at, &q);
+    add_misfit(w, s, &t, k.k, q.gap, &w->misfit[part]);
+    pass_down(w, s, &t);
+    stiffen_kinematics(&k, 1 + element_damping(&t.p, NULL, &k, &t.s, t.at));
+    keep_strain(w, s, &t);
+    end_motion_of(half, &k, &q, from, P, Z);
+    element_equations(&t.p, NULL, &k, &q, &t.s, t.at, from, S, A, Mn);
+    attach_part_above(Mn, &t.above, P, Z, from, S, A);
+    if (w->x->counting) count_unstable(w, s, &t, S, &k);
+    if (w->x->small) keep_small(w, s, &t, &q, P, S);
+    real_truth apart = solve_some(w, s, &t, &k, P, S, A, from);
+    for (int r = 0; r < 6; r++)
+        for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
+    base_wrench_of(half, &q, t.load, from, T, B);
+    follow_answer(half, &q, &t.above, P, T, A, from, Z, B);
+    add_left_out(P, A, from, Z);
+    keep_reaction(s, w->x->answer, from, 0, A);
+    keep_reaction(s, w->x->node, from, 1, Z);
+    pass_reaction(w, s, from, B, apart);
+}
+
+static __attribute__((noinline)) void eliminate_upwards(struct work *w, const struct some *s, size_t part)
+{
+    eliminate_some(w, s, part, VARIES_UPWARDS);
+}
+static __attribute__((noinline)) void eliminate_varying(struct work *w, const struct some *s, size_t part)
+{
+    eliminate_some(w, s, part, VARIES);
+}
+
+/* Sums over the lanes, in one order at any width. */
+static void sum_up(const struct work *w)
+{
+    struct wf_groups_sweep *x = w->x;
+    x->bending = x->energy = x->strain = x->turn = 0;
+    for (int i = 0; i < WF_GROUP; i++) {
+        const struct beam_misfit *m = &w->misfit[i / WF_WIDTH];
+        x->bending += real_lane(m->bending, i % WF_WIDTH), x->energy += real_lane(m->energy, i % WF_WIDTH);
+        x->strain = fmax(x->strain, real_lane(m->strain, i % WF_WIDTH));
+        x->turn = fmax(x->turn, real_lane(m->turn, i % WF_WIDTH));
+    }
+    x->strain = sqrt(x->strain), x->turn = sqrt(x->turn);
+}
+
+static bool down(struct wf_groups_sweep *x)
+{
+    const struct wf_loads *all[WF_WIDTH];
+    struct work w = { .x = x };
+    for (int k = 0; k < WF_WIDTH; k++) all[k] = x->loads;
+    set_air(all, &w.air);
+    /* ties pull by where their ends are in all directions, as winds of any form blow */
+    bool upwards = w.air.profile != WF_PROFILE_OTHER && !x->loads->ties;
+    void (*of_some)(struct work *, const struct some *, size_t) =
+        !x->tangent ? forces_of_some : (upwards ? eliminate_upwards : eliminate_varying);
+    x->negative = 0, x->bears = 0;
+    for (size_t g = 0; g < x->groups->n && !w.broken; g++) {
+        const struct wf_beam_group *group = &x->groups->group[g];
+        if (g + 1 < x->groups->n) fetch_down(x, group + 1);
+        for (size_t from = 0; from < (size_t)group->n; from += WF_WIDTH) {
+            struct some s = some_of(group, from);
+            of_some(&w, &s, from / WF_WIDTH);
+        }
+    }
+    sum_up(&w);
+    return !w.broken;
+}
+
+const struct wf_groups_kernel NAMED(WF_WIDTH) = { .up = up, .down = down };
+
+#if WF_WIDTH == 1 /* once */
+
+/* Elements on which all above is done: a heap, the farthest from the ground on top, of these the last. */
+struct ready {
+    int32_t *id;
+    const int32_t *depth; /* elements below */
+    size_t n;
+};
+
+static bool before(const struct ready *r, int32_t a, int32_t b)
+{
+    return r->depth[a] != r->depth[b] ? r->depth[a] > r->depth[b] : a > b;
+}
+
+static void push(struct ready *r, int32_t id)
+{
+    size_t i = r->n++;
+    for (; i && before(r, id, r->id[(i - 1) / 2]); i = (i - 1) / 2) r->id[i] = r->id[(i - 1) / 2];
+    r->id[i] = id;
+}
+
+static int32_t pop(struct ready *r)
+{
+    int32_t top = r->id[0], last = r->id[--r->n];
+    size_t i = 0;
+    for (size_t next; (next = 2 * i + 1) < r->n; i = next) {
+        if (next + 1 < r->n && before(r, r->id[next + 1], r->id[next])) next++;
+        if (!before(r, r->id[next], last)) break;
+        r->id[i] = r->id[next];
+    }
+    r->id[i] = last;
+    return top;
+}
+
+/* Fill the groups. waits: per element, how many stand on it. */
+static void fill_groups(const struct wf_beam_mesh *m, struct ready *r, int32_t *waits,
+                        struct wf_beam_groups *out)
+{
+    for (size_t i = 0; i < m->n; i++)
+        if (!waits[i] && m->part[i].parent >= 0) push(r, (int32_t)i);
+    while (r->n) {
+        struct wf_beam_group *g = &out->group[out->n++];
+        for (g->n = 0; g->n < WF_GROUP && r->n; g->n++) g->id[g->n] = pop(r);
+        for (int k = g->n; k < WF_GROUP; k++) g->id[k] = g->id[0];
+        for (int k = 0; k < g->n; k++) {
+            int32_t below = m->part[g->id[k]].parent;
+            if (!--waits[below] && m->part[below].parent >= 0) push(r, below);
+        }
+    }
+}
+
+enum wf_status wf_beam_groups_make(const struct wf_beam_mesh *m, struct wf_arena *a,
+                                   struct wf_beam_groups *out, struct wf_err *e)
+{
+    const double least = 2; /* elements of a group, on average, from which groups are faster */
+    struct wf_arena scratch = { 0 };
+    int32_t *depth = WF_TAKE(&scratch, m->n, int32_t), *waits = WF_TAKE(&scratch, m->n, int32_t);
+    struct ready r = { .id = WF_TAKE(&scratch, m->n, int32_t), .depth = depth };
+    *out = (struct wf_beam_groups){ .group = WF_TAKE(a, m->n, struct wf_beam_group) };
+    bool memory = depth && waits && r.id && out->group;
+    for (size_t i = 0; i < m->n && memory; i++) {
+        int32_t below = m->part[i].parent;
+        if (below < 0) continue;
+        depth[i] = depth[below] + 1;
+        waits[below]++;
+    }
+    if (memory) fill_groups(m, &r, waits, out);
+    if ((double)m->n < least * (double)out->n) out->n = 0;
+    wf_arena_free(&scratch);
+    return memory ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for groups of %zu beam elements", m->n);
+}
+
+const struct wf_groups_kernel *wf_groups_kernel(void)
+{
+    switch (wf_lanes_kernel(WF_LANES_MOST)->width) {
+    case 8:
+        return &wf_groups_8;
+    case 4:
+        return &wf_groups_4;
+    default:
+        return &wf_groups_1;
+    }
+}
+
+#endif

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Speed of pages: HTML of a report, PDF by the page, and the reports of a table of trees. Processor time of
+ * the program and of gnuplot and WeasyPrint, which it starts. */
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
+
+static char folder[300];
+static const char *program;
+
+struct spent {
+    double wall, processor;
+};
+
+/* Run the rest of a command line; -1: it failed. */
+static struct spent run(const char *rest)
+{
+    char command[2200];
+    struct rusage a, b;
+    struct timespec from, to;
+    snprintf(command, sizeof command, "%s %s >/dev/null 2>&1", program, rest);
+    getrusage(RUSAGE_CHILDREN, &a);
+    clock_gettime(CLOCK_MONOTONIC, &from);
+    int code = system(command);
+    clock_gettime(CLOCK_MONOTONIC, &to);
+    getrusage(RUSAGE_CHILDREN, &b);
+    if (code) {
+        fprintf(stderr, "failed: %s\n", command);
+        exit(1);
+    }
+    return (struct spent){
+        .wall = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec),
+        .processor = (double)(b.ru_utime.tv_sec - a.ru_utime.tv_sec + b.ru_stime.tv_sec - a.ru_stime.tv_sec) +
+                     1e-6 * (double)(b.ru_utime.tv_usec - a.ru_utime.tv_usec + b.ru_stime.tv_usec -
+                                     a.ru_stime.tv_usec),
+    };
+}
+
+/* Pages of all PDFs below the folder. */
+static size_t count_pages(const char *below)
+{
+    char command[600];
+    size_t n = 0, k;
+    snprintf(command, sizeof command,
+             "for f in '%s'/*/*.pdf; do pdfinfo \"$f\" | awk '/^Pages/ { print $2 }'; done", below);
+    FILE *f = popen(command, "r");
+    while (f && fscanf(f, "%zu", &k) == 1) n += k;
+    if (f) pclose(f);
+    return n;
+}
+
+static void one_page(void)
+{
+    char rest[900];
+    double best = 1e9;
+    snprintf(rest, sizeof rest,
+             "analyze oak --model oak_20m --soil mineral --wind 10,15,20 --directions 8 --samples 0 --no-pdf "
+             "-o '%s/one'",
+             folder);
+    (void)run(rest);
+    snprintf(rest, sizeof rest, "report '%s/one' --no-pdf", folder);
+    for (int i = 0; i < 5; i++) {
+        double t = run(rest).processor;
+        best = t < best ? t : best;
+    }
+    printf("pages: HTML of a report with 6 figures: %.2f s of processor time (bar 0.5 with 12)\n", best);
+}
+
+/* A table of a hundred trees: the shipped forty, with other girths. */
+static size_t write_table(void)
+{
+    char path[400], line[300];
+    size_t n = 0;
+    snprintf(path, sizeof path, "%s/trees.csv", folder);
+    FILE *to = fopen(path, "w");
+    if (!to) exit(1);
+    fputs("id,species,height_m,girth_cm,crown_width_m,crown_base_m\n", to);
+    static const char *const species[] = { "oak", "beech", "ash", "sycamore", "lime" };
+    for (; n < 100; n++) {
+        snprintf(line, sizeof line, "%zu,%s,%zu,%zu,%zu,%zu\n", n + 1, species[n % 5], 16 + n % 9,
+                 150 + 2 * (n % 50), 8 + n % 5, 3 + n % 3);
+        fputs(line, to);
+    }
+    fclose(to);
+    return n;
+}
+
+static void table(bool pdf)
+{
+    char rest[1600], below[400];
+    size_t trees = write_table();
+    snprintf(below, sizeof below, "%s/%s", folder, pdf ? "pdf" : "html");
+    snprintf(rest, sizeof rest,
+             "assess '%s/trees.csv' -o '%s.csv' --reports '%s' --wind 'gust:33 m/s' --soil mineral --samples "
+             "0 -q%s",
+             folder, below, below, pdf ? "" : " --no-pdf");
+    struct spent t = run(rest);
+    size_t pages = pdf ? count_pages(below) : 0;
+    if (pdf)
+        printf(
+            "pages: %zu reports, HTML and PDF of %zu pages: %.0f s, %.0f s of processor time, %.2f s a page "
+            "(bars: 60 s with 300 pages on 2 processors, 0.2 s a page)\n",
+            trees, pages, t.wall, t.processor, t.processor / (double)(pages ? pages : 1));
+    else
+        printf("pages: %zu reports, HTML: %.0f s, %.0f s of processor time (bar 25 s)\n", trees, t.wall,
+               t.processor);
+}
+
+int main(void)
+{
+    char command[400];
+    program = getenv("WINDFIRM");
+    if (!program) program = "build/windfirm";
+    snprintf(folder, sizeof folder, "%.150s.%ld.bench", program, (long)getpid());
+    snprintf(command, sizeof command, "mkdir -p '%s'", folder);
+    if (system(command)) return 1;
+    one_page();
+    table(false);
+    if (system("command -v weasyprint >/dev/null && command -v pdfinfo >/dev/null"))
+        printf("pages: no weasyprint or pdfinfo: PDFs were not measured\n");
+    else
+        table(true);
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    return system(command) != 0;
+}

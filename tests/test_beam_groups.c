@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Elements of one state side by side: the groups, and the answers of one element after the other. */
+#include "beam_cases.h"
+#include "load/drag.h"
+#include "solve/beam.h"
+#include "solve/beam_newton.h"
+#include "solve/beam_small.h"
+#include <stdlib.h>
+
+static const double table_speed[] = { 3, 9, 20 }, table_part[] = { 1, 0.6, 0.3 };
+
+/* A tree at random in a wind and laws by the seed. */
+static void grow(struct beam_case *c, uint64_t seed, size_t rows, double speed)
+{
+    static const char *const crown[] = { "none", "vogel", "table" };
+    static const char *const profile[] = { "power", "log", "uniform", "canopy", "terrain", "code" };
+    beam_wild(c, rows, seed + 1);
+    struct wf_loads *l = &c->loads;
+    l->gravity = 9.81;
+    l->streamline = wf_streamline_named(crown[seed % 3]);
+    if (seed % 3 == 1) l->streamline_par.number[0] = -0.7, l->streamline_par.number[1] = 5;
+    if (seed % 3 == 2)
+        l->streamline_par.list[0] = table_speed, l->streamline_par.list[1] = table_part,
+        l->streamline_par.n = 3;
+    for (size_t i = 0; i < c->tree.n; i++) {
+        c->tree.drag[i] = seed % 4 ? NAN : 1;
+        c->tree.lift[i] = seed % 5 ? 0 : 0.2;
+        c->tree.sail0[i] = c->tree.sail1[i] = 3 * c->tree.r0[i];
+    }
+    c->wind.sample = wf_profile_named(profile[seed % 6])->sample;
+    c->wind.exponent = 0.16, c->wind.roughness = 0.03, c->wind.least = 0.5;
+    c->wind.canopy_height = 3, c->wind.displacement = seed % 6 == 3 ? 2 : 0, c->wind.attenuation = 2;
+    c->wind.speed = speed;
+    l->wind = &c->wind;
+    c->options.tolerance = 1e-12;
+    c->options.mesh_tolerance = 0;
+    if (seed % 7 == 3) beam_masses(c);
+    if (seed % 8 == 1) c->options.shear_flexible = true;
+    if (seed % 5 == 2) c->options.root_stiffness[0] = c->options.root_stiffness[1] = 1e5;
+}
+
+/* Ties from two branches to the ground. */
+static void tie(struct beam_case *c, struct wf_tie ties[2])
+{
+    for (int k = 0; k < 2; k++) {
+        size_t row = c->tree.n - 1 - 3 * (size_t)k;
+        ties[k] = (struct wf_tie){
+            .segment = (int32_t)row, .anchor = { 6 - 12 * k, 4, 0 }, .stiffness = 200, .length = 0.1
+        };
+    }
+    c->loads.tie = ties, c->loads.ties = 2;
+}
+
+/* The beam, to be computed by groups or not. */
+static void begin(struct beam_case *c, bool groups, struct wf_beam *b)
+{
+    c->err = (struct wf_err){ 0 };
+    if (wf_beam_init(b, &c->tree, &c->loads, &c->options, NULL, &c->arena, &c->arena, &c->err))
+        fail_msg("%s", c->err.text);
+    if (!groups)
+        b->groups.n = 0;
+    else
+        assert_true(b->groups.n > 0);
+}
+
+/* Every element that does not stand on the ground is in one group, after all that stands on it. */
+static void every_element_once(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        struct beam_case c;
+        struct wf_beam b;
+        grow(&c, seed, 20 + 30 * seed, 10);
+        begin(&c, true, &b);
+        size_t *when = WF_TAKE(&c.arena, b.mesh.n, size_t), found = 0, grounded = 0;
+        for (size_t g = 0; g < b.groups.n; g++) {
+            const struct wf_beam_group *x = &b.groups.group[g];
+            assert_in_range(x->n, 1, WF_GROUP);
+            for (int k = 0; k < WF_GROUP; k++) {
+                if (k >= x->n) {
+                    assert_int_equal(x->id[k], x->id[0]);
+                    continue;
+                }
+                assert_int_equal(when[x->id[k]], 0);
+                when[x->id[k]] = g + 1;
+                found++;
+            }
+        }
+        for (size_t i = 0; i < b.mesh.n; i++) {
+            int32_t below = b.mesh.part[i].parent;
+            if (below < 0) {
+                assert_int_equal(when[i], 0);
+                grounded++;
+            } else if (b.mesh.part[below].parent >= 0)
+                assert_true(when[i] < when[below]);
+        }
+        assert_int_equal(found + grounded, b.mesh.n);
+        beam_free(&c);
+    }
+}
+
+/* A single stem has nothing side by side. */
+static void no_groups_of_a_stem(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_beam b;
+    beam_stem(&c, 40, upright, 20, 0.2, 0.1);
+    if (wf_beam_init(&b, &c.tree, &c.loads, &c.options, NULL, &c.arena, &c.arena, &c.err))
+        fail_msg("%s", c.err.text);
+    assert_int_equal(b.groups.n, 0);
+    beam_free(&c);
+}
+
+static double off(const double *a, const double *b, size_t n)
+{
+    double most = 0, size = 1e-300;
+    for (size_t i = 0; i < n; i++) most = fmax(most, fabs(a[i] - b[i])), size = fmax(size, fabs(b[i]));
+    return most / size;
+}
+
+/* One sweep far from equilibrium: every number of the tangent, the residual and the forces as of one element
+ * after the other; with the guard of the first iteration, and with unstable directions counted. */
+static void sweeps_agree(void **state)
+{
+    (void)state;
+    double worst = 0;
+    for (uint64_t seed = 0; seed < 60; seed++) {
+        struct beam_case c[2];
+        struct wf_beam b[2];
+        struct wf_tie ties[2];
+        struct wf_beam_stability count[2] = { { .margin = 1e-6 }, { .margin = 1e-6 } };
+        const bool counting = seed % 3 == 1;
+        for (int k = 0; k < 2; k++) {
+            grow(&c[k], seed, 20 + 5 * seed, seed % 2 ? 12 : 30);
+            if (seed % 5 == 4) tie(&c[k], ties);
+            begin(&c[k], k, &b[k]);
+            b[k].off = WF_TAKE(&c[k].arena, b[k].mesh.n, double);
+            b[k].weak = WF_TAKE(&c[k].arena, b[k].mesh.n, bool);
+            for (size_t i = 0; i < b[k].mesh.n; i++)
+                for (int j = 0; j < 6; j++) b[k].shape[i].v[j / 3][j % 3] = 0.05 * sin((double)(7 * i) + j);
+            if (seed % 4 == 2)
+                assert_int_equal(wf_beam_linearise(&b[k], seed % 8 == 2, &c[k].arena, &c[k].err), WF_OK);
+            else {
+                b[k].misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
+                wf_beam_sweep_up(&b[k]);
+                assert_true(wf_beam_sweep_down(&b[k], true, counting ? &count[k] : NULL));
+            }
+        }
+        const size_t n = b[0].mesh.n;
+#define OFF(array, per) off((const double *)b[1].array, (const double *)b[0].array, n *(per))
+        double now = fmax(fmax(OFF(pose, 12), OFF(stage, 30)), fmax(OFF(wrench, 6), OFF(load, 6)));
+        now = fmax(now, fmax(fmax(OFF(node, 42), OFF(answer, 42)), fmax(OFF(shape, 12), OFF(off, 1))));
+        if (b[0].small) now = fmax(now, OFF(small, 150));
+#undef OFF
+        now = fmax(now, off(&b[1].misfit.bending, &b[0].misfit.bending, 4));
+        now = fmax(now, off(b[1].base.n, b[0].base.n, 6));
+        if (!(now < 1e-9)) fail_msg("tree %d: off by %g", (int)seed, now);
+        worst = fmax(worst, now);
+        assert_int_equal(count[0].negative, count[1].negative);
+        assert_true(fabs(count[1].bears - count[0].bears) <= 1e-9 * fmax(1, count[0].bears) ||
+                    count[0].bears == count[1].bears);
+        assert_memory_equal(b[0].weak, b[1].weak, n * sizeof(bool));
+        /* forces alone */
+        for (int k = 0; k < 2; k++) assert_true(wf_beam_sweep_down(&b[k], false, NULL));
+        assert_true(off(&b[1].misfit.bending, &b[0].misfit.bending, 4) < 1e-9);
+        beam_free(&c[0]), beam_free(&c[1]);
+    }
+    printf("sweeps off by %.2g\n", worst);
+}
+
+/* Equilibria, of trees with point loads too. */
+static void equilibria_agree(void **state)
+{
+    (void)state;
+    size_t rests = 0;
+    double worst = 0;
+    for (uint64_t seed = 0; seed < 40; seed++) {
+        struct beam_case c[2];
+        struct wf_beam b[2];
+        bool found[2];
+        struct wf_tie ties[2];
+        struct wf_point_load push = { .segment = 5, .kind = WF_POINT_FOLLOWER, .force = { 20, 0, 0 } };
+        for (int k = 0; k < 2; k++) {
+            grow(&c[k], seed, 20 + 5 * seed, seed % 2 ? 8 : 15);
+            if (seed % 3 == 0) c[k].loads.point = &push, c[k].loads.points = 1;
+            if (seed % 3 == 1) tie(&c[k], ties);
+            begin(&c[k], k, &b[k]);
+            found[k] = wf_beam_rests(&b[k]);
+        }
+        assert_int_equal(found[0], found[1]);
+        if (found[0]) {
+            rests++;
+            assert_int_equal(b[0].iterations, b[1].iterations);
+            double now = off((double *)b[1].pose, (double *)b[0].pose, 12 * b[0].mesh.n);
+            if (!(now < 1e-9)) fail_msg("tree %d: off by %g", (int)seed, now);
+            worst = fmax(worst, now);
+        }
+        beam_free(&c[0]), beam_free(&c[1]);
+    }
+    printf("%zu trees at rest, off by %.2g\n", rests, worst);
+    assert_true(rests > 30);
+}
+
+/* The same bytes for 1, 4 and 8 lanes. */
+static void same_at_any_width(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 0; seed < 24; seed++) {
+        struct beam_case c[3];
+        struct wf_beam b[3];
+        static const char *const width[] = { "1", "4", "8" };
+        for (int k = 0; k < 3; k++) {
+            setenv("WINDFIRM_LANES", width[k], 1);
+            grow(&c[k], seed, 60 + 3 * seed, 12);
+            begin(&c[k], true, &b[k]);
+            if (seed % 4 == 1) b[k].off = WF_TAKE(&c[k].arena, b[k].mesh.n, double);
+            (void)wf_beam_rests(&b[k]);
+            if (seed % 2) (void)wf_beam_linearise(&b[k], true, &c[k].arena, &c[k].err);
+        }
+        for (int k = 1; k < 3; k++) {
+            const size_t n = b[0].mesh.n;
+            assert_memory_equal(b[k].pose, b[0].pose, n * sizeof *b[0].pose);
+            assert_memory_equal(b[k].node, b[0].node, n * sizeof *b[0].node);
+            assert_memory_equal(b[k].answer, b[0].answer, n * sizeof *b[0].answer);
+            assert_memory_equal(&b[k].misfit, &b[0].misfit, sizeof b[0].misfit);
+            if (b[0].small) assert_memory_equal(b[k].small, b[0].small, n * sizeof *b[0].small);
+        }
+        for (int k = 0; k < 3; k++) beam_free(&c[k]);
+    }
+    unsetenv("WINDFIRM_LANES");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_element_once), cmocka_unit_test(no_groups_of_a_stem),
+        cmocka_unit_test(sweeps_agree),       cmocka_unit_test(equilibria_agree),
+        cmocka_unit_test(same_at_any_width),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
