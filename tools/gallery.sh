@@ -32,7 +32,6 @@ command_of() {
     rain) echo "rain --staged --duration 2" ;;
     modes) echo "modes oak --model culm --wind 0,10" ;;
     fragility) echo "fragility oak --model culm --samples 40" ;;
-    extremes) echo "wind extremes --annual docs/examples/annual.csv --wind 20,25" ;;
     table) echo "assess docs/examples/cards.csv --design en1991 --basic-wind 25 --samples 64 --reports $2" ;;
     esac
 }
