@@ -144,6 +144,20 @@ static void scenarios(void **state)
           "1.3m:25mm --wind 30 --samples 0 2>&1 | grep -c critical-above-range; true",
           CODE_OK,
           { "0\n" } },
+        /* all that loses the tree is named; without strength there is no verdict, nor a least safety */
+        { "$W assess models/cards/oak.yaml --basic-wind 40 --cavity 1.3m:25mm --samples 0 -o $T/o --no-pdf; grep -o "
+          "'lost-by-[a-z]*' $T/o/results.json | tr '\\n' ' '; grep -c 'The hollow stem splits. The tree overturns' "
+          "$T/o/report.html",
+          CODE_OK,
+          { "it is lost by breakage: safety 0.4", "it is lost by splitting: safety 0.3",
+            "it is lost by overturning: safety 0.3",
+            "lost-by-breakage lost-by-torsion lost-by-splitting lost-by-overturning 1" } },
+        { "sed '/modulus_of_rupture:/,/note:/d; /knot_factor:/,/note:/d; /_strength:/,/note:/d' "
+          "species/oak.yaml >$T/weak.yaml; $W assess --species $T/weak.yaml "
+          "--height 20m --girth 250cm --crown-width 14m --crown-base 4m --samples 0 --soil mineral --wind 10",
+          CODE_OK,
+          { "UNKNOWN: no verdict", "the species has no strength: breakage is not assessed",
+            "against overturning      3.4", "least         -" } },
         { "$W assess models/cards/oak.yaml --root-loss 100%; $W assess models/cards/oak.yaml --root-loss "
           "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4",
           CODE_INPUT,
