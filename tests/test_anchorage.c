@@ -424,6 +424,14 @@ static void open_analysis(struct beam_case *c, struct wf_analysis *an)
     an->loads.wind = &an->wind;
 }
 
+static void find_breaks(struct beam_case *c, const struct wf_analysis *an, struct wf_break (*out)[WF_SCOPES])
+{
+    assert_non_null(an->solver);
+    struct wf_nodes *nodes = wf_nodes_open(an, NULL);
+    if (wf_analysis_breaks(an, &c->options, nodes, out, &c->err)) fail_msg("%s", c->err.text);
+    wf_nodes_close(nodes);
+}
+
 /* A stem too stiff to bend, drag coefficient 1, in a uniform wind: moment rho D H^2 U^2 / 4. */
 static void rigid_stem(void **state)
 {
@@ -437,9 +445,7 @@ static void rigid_stem(void **state)
     c.loads.air_density = 1.2;
     c.tree.anchorage = moment;
     open_analysis(&c, &an);
-    struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
-    if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
-    wf_nodes_close(nodes);
+    find_breaks(&c, &an, out);
     double want = sqrt(4 * moment / (1.2 * 2 * radius * height * height));
     static const double left[] = { 1, WF_SATURATED_HIGH, WF_SATURATED_LOW };
     for (int k = 0; k < 3; k++) {
@@ -468,10 +474,7 @@ static void safety_is_one(void **state)
     open_analysis(&c, &an);
     for (int slopes = 0; slopes < 2; slopes++) {
         an.solver = slopes ? &wf_solver_beam : wf_solver_named("rod");
-        assert_non_null(an.solver);
-        struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
-        if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
-        wf_nodes_close(nodes);
+        find_breaks(&c, &an, out);
         for (int k = WF_OVERTURNING; k <= WF_OVERTURNING_WETTEST; k++) {
             const struct wf_critical *found = &out[k][WF_SCOPE_TREE].critical;
             assert_int_equal(found->outcome, WF_CRITICAL_FOUND);
@@ -497,10 +500,7 @@ static void room_of_a_cantilever(void **state)
     c.tree.room = (struct wf_room){ .corridor = corridor, .towards = { 1, 0 }, .tip_angle = angle };
     open_analysis(&c, &an);
     an.solver = wf_solver_named("linear");
-    assert_non_null(an.solver);
-    struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
-    if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
-    wf_nodes_close(nodes);
+    find_breaks(&c, &an, out);
     const struct wf_break *reach = &out[WF_CORRIDOR][WF_SCOPE_TREE],
                           *turn = &out[WF_TIP_ANGLE][WF_SCOPE_TREE];
     assert_int_equal(reach->critical.outcome, WF_CRITICAL_FOUND);
@@ -530,9 +530,7 @@ static void room_is_used_up(void **state)
         an.scenario.tip_angle = 0.5;
         wf_analysis_turned(&an);
         an.solver = run == 1 ? wf_solver_named("rod") : &wf_solver_beam;
-        struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
-        if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
-        wf_nodes_close(nodes);
+        find_breaks(&c, &an, out);
         for (int k = WF_CORRIDOR; k <= WF_TIP_ANGLE; k++) {
             const struct wf_critical *found = &out[k][WF_SCOPE_TREE].critical;
             bool behind = run == 2 && k == WF_CORRIDOR;

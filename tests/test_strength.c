@@ -214,13 +214,16 @@ static void safety_1_at_the_critical_wind(void **state)
     static const struct {
         const char *species, *model;
         int found;
-    } trees[] = { { "species/moso_bamboo.yaml", "models/moso_culm.yaml", 4 },
-                  { "species/norway_spruce.yaml", "models/culm.yaml", 3 },
-                  { "species/weeping_willow.yaml", "tests/data/limbs.yaml", 5 } };
+        double nodes; /* apart */
+    } trees[] = { { "species/moso_bamboo.yaml", "models/moso_culm.yaml", 4, 0 },
+                  { "species/moso_bamboo.yaml", "models/moso_culm.yaml", 4, 0.2 },
+                  { "species/norway_spruce.yaml", "models/culm.yaml", 3, 0 },
+                  { "species/weeping_willow.yaml", "tests/data/limbs.yaml", 5, 0 } };
     for (size_t k = 0; k < sizeof trees / sizeof *trees; k++) {
         struct made m;
         int found = 0;
         made_read(&m, trees[k].species, trees[k].model);
+        m.scenario.node_spacing = trees[k].nodes;
         analyse(&m);
         for (int c = 0; c < WF_CRITERIA; c++)
             for (int s = 0; s < WF_SCOPE_BRANCHES; s++) {

@@ -180,10 +180,11 @@ static void test_profile(void **state)
         { PROFILE
           "PATH=$T $W analyze oak $M --wind 10 -o $T/out -q --profile-file $T/p.csv --directions 8 --lang "
           "en; grep "
-          "-o -e 'as measured, 2 to 10 m' -e 'Wind from all around' -e '10-min means' -e 'Of 8 directions' "
+          "-o -e 'as measured, 2 to 10 m' -e 'Wind from all around' -e '10-min means' -e 'from all 8 "
+          "directions' "
           "$T/out/report.html",
           CODE_OK,
-          { "as measured, 2 to 10 m", "Wind from all around", "10-min means", "Of 8 directions" } },
+          { "as measured, 2 to 10 m", "Wind from all around", "10-min means", "from all 8 directions" } },
     };
     CHECK(rows);
 }

@@ -29,7 +29,7 @@ struct wf_arena_block {
 #if defined(__SANITIZE_ADDRESS__) || defined(WATCHED)
 enum { SPARE_MOST = 0 };
 #else
-enum { SPARE_MOST = 1 << 29 };
+enum { SPARE_MOST = 1 << 27 };
 #endif
 enum { SPARE_LEAST = 1 << 16 }; /* bytes of a block that is kept */
 static struct {
@@ -66,7 +66,7 @@ static void free_block(struct wf_arena_block *b)
     if (b->dirty < b->used) b->dirty = b->used;
     b->used = 0;
     pthread_mutex_lock(&spare.lock);
-    bool keep = b->size >= SPARE_LEAST && b->size <= SPARE_MOST && spare.bytes <= SPARE_MOST - b->size;
+    bool keep = b->size >= SPARE_LEAST && b->size <= LARGEST_STEP && spare.bytes + b->size <= SPARE_MOST;
     if (keep) b->older = spare.first, spare.first = b, spare.bytes += b->size;
     pthread_mutex_unlock(&spare.lock);
     if (!keep) free(b);

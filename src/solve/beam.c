@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam.h"
 #include "base/vec3.h"
+#include "solve/beam_lanes.h"
 #include "solve/beam_mesh.h"
 #include "solve/beam_newton.h"
 
@@ -517,14 +518,22 @@ static void plate_tilt(const struct wf_beam *b, size_t row, const double moment[
 /* The loads of the undeformed tree do not change in this solution: as dead loads they are computed once. */
 static void linear_hold_loads(struct wf_beam *b)
 {
+    enum { SOME = 32 }; /* elements at once, side by side */
     if (b->loads.point_scale != 1) return; /* dead loads would be scaled by it again */
-    for (size_t i = 0; i < b->mesh.n; i++) {
-        struct wf_beam_part *p = &b->mesh.part[i];
-        struct wf_line_load load[2];
-        wf_beam_load(p, &b->loads, &b->stage[i], load);
-        for (int j = 0; j < 2; j++) {
-            memcpy(p->dead[j], load[j].force, sizeof p->dead[j]);
-            p->line[j].mass = 0;
+    for (size_t from = 0; from < b->mesh.n; from += SOME) {
+        size_t n = b->mesh.n - from < SOME ? b->mesh.n - from : SOME;
+        struct wf_lanes_point point[2 * SOME];
+        struct wf_line_load load[2 * SOME];
+        for (size_t k = 0; k < 2 * n; k++) {
+            const struct wf_beam_stage *s = &b->stage[from + k / 2];
+            const struct wf_beam_part *p = &b->mesh.part[from + k / 2];
+            point[k] = (struct wf_lanes_point){ s->r[k % 2], s->t[k % 2], p->dead[k % 2], &p->line[k % 2] };
+        }
+        wf_lanes_kernel(WF_LANES_MOST)->loads(&b->loads, 2 * n, point, load);
+        for (size_t k = 0; k < 2 * n; k++) {
+            struct wf_beam_part *p = &b->mesh.part[from + k / 2];
+            memcpy(p->dead[k % 2], load[k].force, sizeof p->dead[k % 2]);
+            p->line[k % 2].mass = 0;
         }
     }
     b->loads.wind = NULL;
@@ -594,7 +603,7 @@ static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_
                                        struct wf_arena *work, struct linear_answer *x, struct wf_err *e)
 {
     for (size_t i = 0; i < t->n; i++) pieces[i] = pieces_each;
-    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, work, e);
+    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, NULL, e);
     if (status) return status;
     x->u = wf_arena_take(work, x->beam.mesh.n, sizeof *x->u);
     x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);

@@ -62,8 +62,10 @@ void wf_beam_sweep_up(struct wf_beam *b)
         if (!held(b, i) && !(groups && b->mesh.part[i].parent >= 0))
             wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
                           &b->pose[i]);
-    struct wf_groups_sweep all = groups_of(b);
-    if (groups) wf_groups_kernel()->up(&all);
+    if (groups) {
+        struct wf_groups_sweep all = groups_of(b);
+        wf_groups_kernel()->up(&all);
+    }
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
         if (held(b, i)) continue;
         b->flat[i] = b->mesh.flat[i];
@@ -299,6 +301,17 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 
 /* The beam and Newton's method. */
 
+/* What Newton's method works with. */
+static bool take_newton(struct wf_beam *b, struct wf_arena *a)
+{
+    size_t n = b->mesh.n;
+    b->node = WF_TAKE(a, n, struct wf_beam_reaction);
+    b->answer = WF_TAKE(a, n, struct wf_beam_answer);
+    b->change = wf_arena_take(a, n, sizeof *b->change);
+    b->dv = wf_arena_take(a, n, sizeof *b->dv);
+    return b->node && b->answer && b->change && b->dv;
+}
+
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e)
@@ -307,8 +320,8 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     enum wf_status status = wf_beam_mesh_build(t, l, o, pieces, a, &b->mesh, e);
     if (status) return status;
     wf_beam_rest(&b->mesh, l->gravity * l->weight_scale);
-    status = wf_beam_groups_make(&b->mesh, a, &b->groups, e);
-    if (status) return status;
+    if (newton && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
+    struct wf_arena *forces = newton ? newton : a;
     size_t n = b->mesh.n;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
@@ -317,16 +330,12 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->root_hold = wf_arena_take(a, t->n, sizeof *b->root_hold);
     b->shape = WF_TAKE(a, n, struct wf_beam_shape);
     b->pose = WF_TAKE(a, n, struct wf_beam_pose);
-    b->stage = WF_TAKE(newton, n, struct wf_beam_stage);
+    b->stage = WF_TAKE(forces, n, struct wf_beam_stage);
     if (b->mesh.flat) b->flat = WF_TAKE(a, n, struct wf_beam_flat);
-    b->wrench = WF_TAKE(newton, n, struct wf_beam_wrench);
-    b->load = wf_arena_take(newton, n, sizeof *b->load);
-    b->node = WF_TAKE(newton, n, struct wf_beam_reaction);
-    b->answer = WF_TAKE(newton, n, struct wf_beam_answer);
-    b->change = wf_arena_take(newton, n, sizeof *b->change);
-    b->dv = wf_arena_take(newton, n, sizeof *b->dv);
+    b->wrench = WF_TAKE(forces, n, struct wf_beam_wrench);
+    b->load = wf_arena_take(forces, n, sizeof *b->load);
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
-        !b->pose || !b->stage || !b->wrench || !b->load || !b->node || !b->answer || !b->change || !b->dv ||
+        !b->pose || !b->stage || !b->wrench || !b->load || (newton && !take_newton(b, newton)) ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
     return WF_OK;

@@ -47,7 +47,7 @@ struct wf_beam {
 
 /* Build the mesh and the state with the unloaded shape. Mesh and shape (shape, pose, tilt, base) are in `a`;
  * what Newton's method works with (stage, wrench, load, node, answer, change, dv), two thirds of the memory,
- * in `newton`, which may be `a`. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
+ * in `newton`, which may be `a`; NULL: only sweeps down without the tangent will be made. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e);

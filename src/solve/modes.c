@@ -88,11 +88,53 @@ static enum wf_status open_sway(struct sway *s, struct wf_beam *b, struct wf_are
     return WF_OK;
 }
 
+enum { FOURS = 4 }; /* vectors whose products with another are summed at once */
+
+/* Products of w with v[0], v[1], ... v[FOURS - 1], in four partial sums each. */
+WF_WIDE static void dots(const double *w, const double *const v[FOURS], size_t n, double out[FOURS])
+{
+    wf_four sum[FOURS] = { { 0 } };
+    size_t i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < FOURS; k++) sum[k] += *(const wf_four *)(w + i) * *(const wf_four *)(v[k] + i);
+    for (int k = 0; k < FOURS; k++) {
+        out[k] = (sum[k][0] + sum[k][1]) + (sum[k][2] + sum[k][3]);
+        for (size_t r = i; r < n; r++) out[k] += w[r] * v[k][r];
+    }
+}
+
 static double dot(const double *a, const double *b, size_t n)
 {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
+    const double *const v[FOURS] = { b, b, b, b };
+    double out[FOURS];
+    dots(a, v, n, out);
+    return out[0];
+}
+
+/* w -= part[k] v[k] */
+WF_WIDE static void take_out(double *w, const double *const v[FOURS], const double part[FOURS], size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        w[i] -= (part[0] * v[0][i] + part[1] * v[1][i]) + (part[2] * v[2][i] + part[3] * v[3][i]);
+}
+
+/* Take the parts along v[0] .. v[n - 1], of unit norm and at right angles, out of w; they are added to column
+ * `column` of T, whose rows are `width` long. */
+static void take_out_all(double *w, double *const *v, size_t n, size_t size, double *T, size_t width,
+                         size_t column)
+{
+    for (size_t from = 0; from < n; from += FOURS) {
+        const double *four[FOURS];
+        double part[FOURS];
+        for (size_t k = 0; k < FOURS; k++) four[k] = v[from + k < n ? from + k : from];
+        dots(w, four, size, part);
+        for (size_t k = 0; k < FOURS; k++)
+            if (from + k < n)
+                T[(from + k) * width + column] += part[k];
+            else
+                part[k] = 0;
+        take_out(w, four, part, size);
+    }
 }
 
 /* Motion along `to` by 1, or where `turning` by the height above the ground, as in turning about the base by
@@ -311,29 +353,6 @@ static void apply_once(struct sway *s, const double *in, double *out)
     for (size_t i = 0; out && i < s->size; i++) out[i] = s->x[i][0];
 }
 
-/* Extend the space until it is invariant or full. */
-static enum wf_status ritz_space(struct ritz *r, struct wf_arena *work, struct wf_err *e)
-{
-    const size_t size = r->s.size;
-    for (size_t j = 0; j < RITZ_MAX; j++) {
-        double *w = r->v[j + 1] = WF_TAKE(work, size, double);
-        if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-        apply_once(&r->s, r->v[j], w);
-        double before = sqrt(dot(w, w, size));
-        for (int twice = 0; twice < 2; twice++)
-            for (size_t k = 0; k <= j; k++) {
-                double part = dot(w, r->v[k], size);
-                r->T[k * RITZ_MAX + j] += part;
-                for (size_t i = 0; i < size; i++) w[i] -= part * r->v[k][i];
-            }
-        r->n = j + 1;
-        double left = sqrt(dot(w, w, size));
-        if (!(left > 1e-12 * before)) break;
-        for (size_t i = 0; i < size; i++) w[i] /= left;
-    }
-    return WF_OK;
-}
-
 /* Eigenvalues and eigenvectors (columns of Q) of the projected operator. */
 static enum wf_status ritz_pairs(struct ritz *r, struct wf_err *e)
 {
@@ -378,6 +397,44 @@ static int widest_band(const struct ritz *r, double width, struct wf_modes_sway 
     return best;
 }
 
+/* Are the vectors of the widest band those of the whole tree? The residual of Ritz vector i is `left` times
+ * its last number (Parlett 1998, The Symmetric Eigenvalue Problem, section 13.2). A band with more than half
+ * of the turn stays the widest. */
+static bool band_settled(const struct ritz *r, double left, double width)
+{
+    const double enough = 1e-10;
+    struct wf_modes_sway band;
+    int middle = widest_band(r, width, &band);
+    if (middle < 0 || !(band.share > 0.5)) return false;
+    for (size_t i = 0; i < r->n; i++)
+        if (in_band(r, (size_t)middle, i, width) &&
+            !(left * fabs(r->Q[(r->n - 1) * r->n + i]) <= enough * r->value[i]))
+            return false;
+    return true;
+}
+
+/* Extend the space until its widest band is settled, or it is invariant or full. */
+static enum wf_status ritz_space(struct ritz *r, double width, struct wf_arena *work, struct wf_err *e)
+{
+    const size_t size = r->s.size;
+    for (size_t j = 0; j < RITZ_MAX; j++) {
+        double *w = r->v[j + 1] = WF_TAKE(work, size, double);
+        if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+        apply_once(&r->s, r->v[j], w);
+        double before = sqrt(dot(w, w, size));
+        for (int twice = 0; twice < 2; twice++) take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
+        r->n = j + 1;
+        double left = sqrt(dot(w, w, size));
+        bool done = !(left > 1e-12 * before) || r->n == RITZ_MAX;
+        if (done || r->n % 2 == 0) {
+            enum wf_status s = ritz_pairs(r, e);
+            if (s || done || band_settled(r, left, width)) return s;
+        }
+        for (size_t i = 0; i < size; i++) w[i] /= left;
+    }
+    return WF_OK;
+}
+
 /* Displacements of the rows' ends in the band's part of the rigid turn: the response to its inertia, of
  * which the Ritz value is the ratio to it. */
 static void band_shape(struct ritz *r, size_t middle, double width, double inertia, double *motion,
@@ -402,8 +459,7 @@ static enum wf_status find_sway(struct ritz *r, const double to[3], double width
     if (!(r->v[0] = WF_TAKE(work, r->s.size, double)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     out->inertia = rigid_motion(&r->s, to, true, r->v[0]);
-    enum wf_status s = ritz_space(r, work, e);
-    if (!s) s = ritz_pairs(r, e);
+    enum wf_status s = ritz_space(r, width, work, e);
     if (s) return s;
     int middle = widest_band(r, width, out);
     if (middle < 0) return wf_fail(e, WF_EUNSTABLE, "no stable sway of the tree");
