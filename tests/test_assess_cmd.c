@@ -200,11 +200,12 @@ static void full_model(void **state)
           "mineral | sed -n 's/.*critical wind: \\([0-9.]*\\) m.*/\\1/p; s/.*samples between \\([0-9]*\\) "
           "and "
           "\\([0-9]*\\) .*/\\1 \\2/p'); echo $full $card | awk '{ print ($1 > $3 && $1 < $4), ($2 / $1 > "
-          "0.6), "($2 / $1 < 1),
-          $0 }'; done", CODE_OK, { "1 1 1 21.67", "\n1 1 1 30.92", "\n1 1 1 23.02" }
-    },
-};
-CHECK(rows);
+          "0.6), "
+          "($2 / $1 < 1), $0 }'; done 2>/dev/null",
+          CODE_OK,
+          { "1 1 1 21.67", "\n1 1 1 30.92", "\n1 1 1 23.02" } },
+    };
+    CHECK(rows);
 }
 
 /* How often the critical wind blows: by the code, by annual maxima, and by the fit of these, which is the
