@@ -8,6 +8,8 @@ log=$build/tests/log
 passed=0 failed=0 skipped=0
 WINDFIRM=$build/windfirm
 export WINDFIRM
+# with address sanitizers (make SAN=1 test): a pointer to what stood on the stack of a function that has returned
+export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_stack_use_after_return=1}"
 
 number() { # the number in front of a word on the log's last matching line, 0 when there is none
     n=$(sed -n "s/$1/\\1/p" "$log" | tail -n 1)

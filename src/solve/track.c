@@ -29,6 +29,7 @@ struct wf_track {
     struct wf_arena work;
     struct wf_beam beam;
     struct wf_beam_outcome outcome;
+    struct wf_wind wind; /* of the beam's loads after a solution: the caller's does not outlive it */
     double speed;        /* of the wind of the last solution [m/s] */
     size_t solutions;    /* on this mesh */
     bool at_last;        /* begin at the last form of `like` */
@@ -402,9 +403,9 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     return WF_OK;
 }
 
-enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
-                              const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
-                              struct wf_err *e)
+static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
+                            const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
+                            struct wf_err *e)
 {
     *out = (struct wf_tracked){ 0 };
     enum wf_status s = wf_response_alloc(&out->at, k->tree->n, a, e);
@@ -427,6 +428,23 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     keep_station(k, out->sided);
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
+    return s;
+}
+
+static void own_wind(struct wf_track *k)
+{
+    struct wf_loads *l = &k->beam.loads;
+    if (!l->wind) return;
+    k->wind = *l->wind;
+    l->wind = &k->wind;
+}
+
+enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
+                              const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
+                              struct wf_err *e)
+{
+    enum wf_status s = solve(k, l, side, start, a, out, e);
+    own_wind(k);
     return s;
 }
 

@@ -39,11 +39,11 @@ enum wf_status wf_fourier_open(size_t n, struct wf_arena *a, struct wf_fourier *
     return WF_OK;
 }
 
-/* to = (re + i im) exp(-2 pi i k/n) */
-WF_INLINE void turn(const struct wf_fourier *f, size_t k, wf_four re, wf_four im, struct point *to)
+/* to = x exp(-2 pi i k/n). By pointers: vectors as arguments depend on the processor that is compiled for. */
+WF_INLINE void turn(const struct wf_fourier *f, size_t k, const struct point *x, struct point *to)
 {
-    to->re = re * f->c[k] + im * f->s[k];
-    to->im = im * f->c[k] - re * f->s[k];
+    to->re = x->re * f->c[k] + x->im * f->s[k];
+    to->im = x->im * f->c[k] - x->re * f->s[k];
 }
 
 /* One pass: `count` transforms of length 4 `quarter`, interleaved, become four times as many of length
@@ -62,9 +62,12 @@ WF_INLINE void radix_four(const struct wf_fourier *f, size_t quarter, size_t cou
             wf_four odd_re = b->re + d->re, odd_im = b->im + d->im;
             wf_four across_re = d->im - b->im, across_im = b->re - d->re; /* i (b - d) */
             y[0].re = sum_re + odd_re, y[0].im = sum_im + odd_im;
-            turn(f, step * p, off_re - across_re, off_im - across_im, &y[count]);
-            turn(f, 2 * step * p, sum_re - odd_re, sum_im - odd_im, &y[2 * count]);
-            turn(f, 3 * step * p, off_re + across_re, off_im + across_im, &y[3 * count]);
+            const struct point one = { off_re - across_re, off_im - across_im },
+                               two = { sum_re - odd_re, sum_im - odd_im },
+                               three = { off_re + across_re, off_im + across_im };
+            turn(f, step * p, &one, &y[count]);
+            turn(f, 2 * step * p, &two, &y[2 * count]);
+            turn(f, 3 * step * p, &three, &y[3 * count]);
         }
 }
 
