@@ -43,7 +43,10 @@ json_t *wf_doc_begin(struct wf_doc *d, const char *schema, const struct wf_doc_h
 /* Append a figure to a list that tells the page maker what to draw: {name, script, run}, see out/figures.h.
  */
 void wf_doc_figure(struct wf_doc *d, json_t *list, const char *name, const char *script, size_t run);
-/* Append warnings {code, text} to a list, except those it already has. */
+/* Put a sentence by parts into an object, unless it is NULL: `message`, the English with {1} for each
+ * argument, and `args` [{text}]. */
+void wf_doc_said(struct wf_doc *d, json_t *o, const struct wf_said *said);
+/* Append warnings {code, text, message, args} to a list, except those it already has. */
 void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag);
 /* Write FOLDER/results.json and free the document. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder, struct wf_err *e);

@@ -110,6 +110,7 @@ static json_t *anchorage(struct wf_doc *d, const struct wf_anchorage *q)
     wf_doc_text(d, o, "source", q->method->source);
     wf_doc_text(d, o, "validity", q->method->validity);
     wf_doc_text(d, o, "text", q->text);
+    wf_doc_said(d, o, q->said);
     wf_doc_flag(d, o, "counts_self_weight", q->method->counts_self_weight);
     wf_doc_quantity(d, o, "moment", q->moment, "N m", NULL);
     wf_doc_number(d, o, "scatter", q->scatter);
