@@ -15,6 +15,7 @@
 #include "wind/category.h"
 #include "wind/design.h"
 #include <math.h>
+#include <string.h>
 
 static double degrees(double rad) { return rad * 180.0 / M_PI; }
 static double compass(double rad) { return fmod(round(degrees(rad)) + 360, 360); }
@@ -220,7 +221,9 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         "; its flare and the roots as they are; decay other than the cavities given; wear by many gusts\n");
     for (int c = 0; c < WF_CRITERIA; c++) {
         const char *why = wf_verdict_unassessed(an, &v, (enum wf_criterion_id)c);
-        if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
+        if (!why) continue;
+        const char *key = strchr(why, ' ') ? "" : "the species table has no ";
+        wf_show(to, "  %s not assessed: %s%s\n", wf_criteria[c].name, key, why);
     }
     if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
     if (an->anchorage && an->anchorage->method)
