@@ -161,9 +161,18 @@ static void scenarios(void **state)
           { "UNKNOWN: no verdict", "the species has no strength: breakage is not assessed",
             "against overturning      3.4", "least         -" } },
         { "$W assess models/cards/oak.yaml --root-loss 100%; $W assess models/cards/oak.yaml --root-loss "
-          "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4",
+          "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4; $W assess models/cards/oak.yaml "
+          "--root-loss 9:9",
           CODE_INPUT,
-          { "'100%' is no loss of roots", "'10deg:20m' is no loss", "'1:2:3:4' is no loss" } },
+          { "'100%' is no loss of roots", "'10deg:20m' is no loss", "'1:2:3:4' is no loss",
+            "'9:9' is no loss" } },
+        /* the same as a table of a card */
+        { "(cat models/cards/oak.yaml; echo 'root_loss: {from: 90deg, to: 180deg, share: 50%}') >$T/c.yaml; "
+          "$W assess "
+          "$T/c.yaml --samples 0 | grep ' root-loss ' | head -1; $W assess models/cards/oak.yaml --samples 0 "
+          "--root-loss 90:180:50% | grep ' root-loss ' | head -1",
+          CODE_OK,
+          { "2.14         0.64", "root-loss 90:180:50%        -       2.14         0.64" } },
         { "(cat models/cards/oak.yaml; echo 'scenarios: [reduce=1m, season=leaf_off]') >$T/c.yaml; $W assess "
           "$T/c.yaml --samples 0 -o $T/out --lang zh --no-pdf | grep -c 'reduce=1m'; grep -c '最小树冠缩剪' "
           "$T/out/report.html; grep -c '\"name\": \"season=leaf_off\"' $T/out/results.json",

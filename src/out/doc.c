@@ -204,7 +204,8 @@ static void quoted(struct wf_plot_data *p, const char *key, size_t index, const 
 void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text)
 {
     struct wf_arena a = { 0 };
-    const char *allowed = wf_text_for_xml(text ? text : "", &a);
+    const char *bare = wf_text_without_folders(text ? text : "", &a);
+    const char *allowed = bare ? wf_text_for_xml(bare, &a) : NULL;
     const char *cut = allowed ? wf_text_shortened(allowed, TEXT_COLUMNS, &a) : NULL;
     p->failed = p->failed || !cut;
     quoted(p, key, index, cut ? cut : "");

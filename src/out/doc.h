@@ -67,7 +67,8 @@ enum wf_status wf_plot_data_begin(struct wf_plot_data *p, const char *folder, co
 void wf_plot_data_number(struct wf_plot_data *p, const char *key, size_t index, double x);
 void wf_plot_data_count(struct wf_plot_data *p, const char *key, size_t index, size_t n);
 /* A row with a text of a user, NULL as an empty one: quoted, with what gnuplot or its SVG would take for more
- * than text escaped, control characters as spaces, and cut with an ellipsis at 160 columns. */
+ * than text escaped, control characters as spaces, without the folders of files,
+ * and cut with an ellipsis at 160 columns. */
 void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text);
 /* A row with a list of words or numbers of windfirm's own, which is not cut. */
 void wf_plot_data_words(struct wf_plot_data *p, const char *key, size_t index, const char *words);
