@@ -102,7 +102,8 @@
     <xsl:call-template name="say">
       <xsl:with-param name="id">t.criteria.none</xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="criterion-name"/></xsl:with-param>
-      <xsl:with-param name="b" select="wants"/>
+      <xsl:with-param name="b"><xsl:call-template name="term">
+        <xsl:with-param name="id" select="wants"/><xsl:with-param name="otherwise" select="wants"/></xsl:call-template></xsl:with-param>
       <xsl:with-param name="c"><xsl:call-template name="name">
         <xsl:with-param name="tree" select="$tree"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>

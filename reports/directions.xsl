@@ -187,7 +187,10 @@
             <xsl:with-param name="pattern">0.000</xsl:with-param>
           </xsl:call-template>
         </xsl:with-param>
-        <xsl:with-param name="c" select="$around/averaging_law"/><xsl:with-param name="d" select="$around/climate_file"/>
+        <xsl:with-param name="c" select="$around/averaging_law"/>
+        <xsl:with-param name="d">
+          <xsl:call-template name="base-name"><xsl:with-param name="path" select="$around/climate_file"/></xsl:call-template>
+        </xsl:with-param>
       </xsl:call-template>
       <xsl:if test="$trees/directions/searched_to_the_end = 'true'">
         <xsl:value-of select="$gap"/>

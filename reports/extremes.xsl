@@ -117,7 +117,6 @@
     </p>
     <p><xsl:call-template name="say"><xsl:with-param name="id">xt.not</xsl:with-param></xsl:call-template></p>
   </div>
-  <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.extremes</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure"><xsl:with-param name="name">extremes</xsl:with-param></xsl:call-template>
   <xsl:call-template name="ex-levels"/>
   <xsl:if test="$r/winds/item"><xsl:call-template name="ex-winds"/></xsl:if>

@@ -197,20 +197,18 @@
   </xsl:if>
 </xsl:template>
 
-<!-- Species and model of a page about one tree. -->
+<!-- Species and model of a page about one tree, in the language of the page. -->
 <xsl:template name="whose">
-  <xsl:choose>
-    <xsl:when test="$lang = 'zh' and $r/name_zh != ''">
-      <xsl:value-of select="concat($r/name_zh, '，', substring-after($r/name, ', '))"/>
-    </xsl:when>
-    <xsl:otherwise><xsl:value-of select="$r/name"/></xsl:otherwise>
-  </xsl:choose>
+  <xsl:value-of select="$r/name"/>
 </xsl:template>
 
-<!-- What a warning, which is the node, says: in other languages than the program's first what its kind means. -->
+<!-- What a warning, which is the node, says. In results of earlier versions it has no parts, and no translation: in other languages
+     than the program's first what its kind means. -->
 <xsl:template name="warning">
   <xsl:variable name="means">
-    <xsl:call-template name="term"><xsl:with-param name="id" select="concat('means.', code)"/></xsl:call-template>
+    <xsl:if test="not(message)">
+      <xsl:call-template name="term"><xsl:with-param name="id" select="concat('means.', code)"/></xsl:call-template>
+    </xsl:if>
   </xsl:variable>
   <xsl:choose>
     <xsl:when test="$means != ''">

@@ -62,7 +62,7 @@
       <tr>
         <xsl:call-template name="heads">
           <xsl:with-param name="of">c.run;c.tree.model;c.how;c.wind.mean:m/s;c.youngs:GPa;
-        c.mean:m;c.most:m;c.share.height:%</xsl:with-param>
+        c.mean:m;c.most:m;c.share.height:%;c.safety.least:</xsl:with-param>
         </xsl:call-template>
       </tr>
     </thead>
@@ -79,6 +79,7 @@
           <xsl:call-template name="n">
             <xsl:with-param name="x" select="100 * tip_deflection_largest_m div height_m"/>
           </xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="safety_least"/></xsl:call-template>
         </tr>
       </tbody>
     </xsl:for-each>
@@ -152,7 +153,26 @@
 
 <xsl:template match="/report" mode="body">
   <div class="summary">
-    <xsl:for-each select="$r/runs/item[position() &lt;= 12]">
+    <xsl:variable name="broken" select="$r/runs/item[breaks_at_s != '']"/>
+    <xsl:if test="count($r/runs/item) &gt; 3">
+      <p>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">sr.summary.many</xsl:with-param>
+          <xsl:with-param name="a" select="count($r/runs/item)"/><xsl:with-param name="b" select="count($broken)"/>
+          <xsl:with-param name="c"><xsl:if test="$broken">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">sr.summary.which</xsl:with-param>
+              <xsl:with-param name="a"><xsl:for-each select="$broken">
+                <xsl:if test="position() &gt; 1">
+                  <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template></xsl:if>
+                <xsl:value-of select="count(preceding-sibling::item) + 1"/>
+              </xsl:for-each></xsl:with-param>
+            </xsl:call-template></xsl:if></xsl:with-param>
+          <xsl:with-param name="d" select="count($r/runs/item[safety_least != '']) - count($broken[safety_least != ''])"/>
+        </xsl:call-template>
+      </p>
+    </xsl:if>
+    <xsl:for-each select="$r/runs/item[count($r/runs/item) &lt;= 3]">
       <p>
         <xsl:if test="count($r/runs/item) &gt; 1"><xsl:value-of select="concat(position(), '. ')"/></xsl:if>
         <xsl:call-template name="say">

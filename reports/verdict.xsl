@@ -57,7 +57,8 @@
     <xsl:when test="unsaid = 'true'">
       <xsl:call-template name="say"><xsl:with-param name="id">unassessed.unsaid</xsl:with-param></xsl:call-template>
     </xsl:when>
-    <xsl:otherwise><xsl:value-of select="reason"/></xsl:otherwise>
+    <xsl:otherwise><xsl:call-template name="term">
+      <xsl:with-param name="id" select="reason"/><xsl:with-param name="otherwise" select="reason"/></xsl:call-template></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run every windfirm command in the fenced blocks of README.md and docs/*.md, from a scratch folder with the shipped files beside
 # it, as a reader would in the source folder. Each must end with 0. Figures and pages are left out (--no-report, --no-plots) except
-# where a later command draws them again. Given: the windfirm to run. The last line is "N passed, N failed, N skipped".
+# where a later command draws them again. What a block says behind "> " is compared with what the command above it prints. Given: the
+# windfirm to run. The last line is "N passed, N failed, N skipped".
 windfirm=$(realpath "$1")
 top=$(pwd)
 here=$(mktemp -d) || exit 1
@@ -25,6 +26,22 @@ commands() {
                   sub(/ +# .*/, ""); print }' "$@" | grep -E '^(build/)?windfirm '
 }
 
+# What a command is said to print, a line behind "> " each: "command<TAB>text", blanks as one.
+promises() {
+    awk '/^```/ { inside = !inside; last = ""; next }
+         inside && /^(build\/)?windfirm / { last = $0; sub(/ +# .*/, "", last); next }
+         inside && /^> / && last != "" { sub(/^> */, ""); gsub(/[ \t]+/, " "); print last "\t" $0 }' "$@"
+}
+
+# Does the log hold all that is promised of a command? Prints what is missing.
+keeps_promises() {
+    tr -s ' \t' '  ' <log >squeezed
+    awk -F '\t' -v c="$1" '$1 == c { print $2 }' promised | while read -r text; do
+        grep -qF -e "$text" squeezed || echo "$text"
+    done >missing
+    [ ! -s missing ]
+}
+
 # What is not run, and why.
 reason_to_skip() {
     case "$1" in
@@ -44,6 +61,7 @@ without_pages() {
 commands README.md docs/*.md | sort -u >"$here/list"
 # what others read is written first; those that read what another writes come last
 { grep -E 'windfirm init ' "$here/list"; grep -vE 'windfirm init | report |tree info tree.csv|--from out' "$here/list"; grep -E ' report |tree info tree.csv|--from out' "$here/list"; } >"$here/order"
+promises README.md docs/*.md >"$here/promised"
 cd "$here" || exit 1
 while read -r line; do
     why=$(reason_to_skip "$line")
@@ -56,7 +74,13 @@ while read -r line; do
     command=$line
     [ -n "$pages" ] && command=$(echo "$line" | sed "s/ >.*//; s/\$/ $pages/")
     if timeout 100 sh -c "$command" >log 2>&1 </dev/null; then
-        passed=$((passed + 1))
+        if keeps_promises "$line"; then
+            passed=$((passed + 1))
+        else
+            echo "FAILED: $line does not print:"
+            cat missing
+            failed=$((failed + 1))
+        fi
     else
         echo "FAILED: $command (exit code $?)"
         tail -n 5 log

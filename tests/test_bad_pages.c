@@ -103,6 +103,30 @@ static void folders_half_there(void **state)
     CHECK(rows);
 }
 
+/* Folders of files that were named from the root are on no page and in no figure. */
+static void folders_are_not_said(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "A=$(cd $T && pwd)/secret; mkdir $A; cp species/oak.yaml models/culm.yaml docs/examples/annual.csv "
+          "$A; "
+          "{ echo direction_deg,frequency,weibull_scale_m_s,weibull_shape; for d in 0 45 90 135 180 225 270 "
+          "315; do echo $d,1,6,2; done; } >$A/rose.csv; "
+          "$W series $A/oak.yaml --model $A/culm.yaml --wind 8 --duration 2 --step 0.5 --gust cosine "
+          "--no-vtk --keys 2 --no-pdf -q -o $T/s >/dev/null 2>&1; "
+          "$W analyze $A/oak.yaml --model $A/culm.yaml --wind 10 --samples 0 --directions 8 --climate "
+          "$A/rose.csv --no-pdf -q -o $T/a >/dev/null 2>&1; "
+          "$W wind rose --file $A/rose.csv --no-pdf -q -o $T/r >/dev/null 2>&1; "
+          "$W wind extremes --annual $A/annual.csv --wind 20 --no-pdf -q -o $T/e >/dev/null 2>&1; ls "
+          "$T/*/*.html | wc -l; "
+          "grep -c secret $T/*/*.html $T/*/plots/*.svg | grep -v :0; grep -l secret $T/*/results.json | wc "
+          "-l",
+          CODE_OK,
+          { "4\n4\n" } },
+    };
+    CHECK(rows);
+}
+
 /* What pages and tables say of the user is words. */
 static void names_are_words(void **state)
 {
@@ -131,9 +155,8 @@ static void names_are_words(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures),
-        cmocka_unit_test(words_and_versions),
-        cmocka_unit_test(folders_half_there),
+        cmocka_unit_test(pictures),           cmocka_unit_test(words_and_versions),
+        cmocka_unit_test(folders_half_there), cmocka_unit_test(folders_are_not_said),
         cmocka_unit_test(names_are_words),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

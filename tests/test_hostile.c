@@ -42,6 +42,8 @@ static int make_printer(void **state)
         "LOGGER = logging.getLogger()\n"
         "class HTML:\n"
         "    def __init__(self, string, encoding, url_fetcher): pass\n"
+        "    pages = [None]\n"
+        "    def render(self): return self\n"
         "    def write_pdf(self, name):\n"
         "        with open(os.environ['PRINTER'] + '/printed', 'a') as f: f.write(ascii(name) + '\\n')\n"
         "        with open(name, 'w') as f: f.write('%PDF-1\\n%%EOF\\n')\n"

@@ -13,7 +13,7 @@ J=tests/data/job
     echo 'direction_deg,frequency,weibull_scale_m_s,weibull_shape'
     for d in 0 45 90 135 180 225 270 315; do echo $d,1,6,2; done
 } >"$out/rose.csv"
-kinds='assess analyze branched compare fit series explain wind rose shelter terrain rain modes fragility extremes table'
+kinds='assess analyze branched compare fit series papers explain wind rose extremes shelter terrain rain modes fragility table'
 command_of() {
     case $1 in
     assess) echo "assess models/cards/oak.yaml --client Town --site-name Gate --tree-number 17 --assessor Person --photo $J/photo.jpg --logo $J/logo.png" ;;
@@ -22,6 +22,8 @@ command_of() {
     compare) echo "compare oak beech norway_spruce scots_pine --model oak_20m --soil mineral --wind 15,25,35" ;;
     fit) echo "fit models/field/sample_pull.yaml --no-rival" ;;
     series) echo "series oak --model culm --wind 8 --duration 4 --step 0.5 --gust cosine --no-vtk --explain --keys 2" ;;
+    papers) echo "papers tang2012 --no-vtk" ;;
+    extremes) echo "wind extremes --annual docs/examples/annual.csv --wind 20,25" ;;
     explain) echo "explain oak --model culm --wind 8" ;;
     wind) echo "wind kaimal --duration 60 --points 3 --components 3" ;;
     rose) echo "wind rose --file $out/rose.csv" ;;
@@ -30,7 +32,6 @@ command_of() {
     rain) echo "rain --staged --duration 2" ;;
     modes) echo "modes oak --model culm --wind 0,10" ;;
     fragility) echo "fragility oak --model culm --samples 40" ;;
-    extremes) echo "wind extremes --annual docs/examples/annual.csv --wind 20,25" ;;
     table) echo "assess docs/examples/cards.csv --design en1991 --basic-wind 25 --samples 64 --reports $2" ;;
     esac
 }

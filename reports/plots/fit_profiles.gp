@@ -5,6 +5,9 @@ DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'fit_profiles.svg'
 LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+# a parameter in words, behind it its unit: "root.stiffness (kN m/rad)"
+parameter(text) = (FIT_U = strstrt(text, ' ('), FIT_N = FIT_U ? text[1:FIT_U - 1] : text, FIT_W = L(FIT_N), \
+    FIT_W eq FIT_N ? short(text, SPAN + 60) : FIT_W.(FIT_U ? text[FIT_U:] : ''))
 PARAMS = int(number('PARAMS', 0)); PROFILED = int(number('PROFILED', 0)); LIMIT = number('LIMIT', 0)
 array VALUE[PARAMS+1]; array LOW[PARAMS+1]; array HIGH[PARAMS+1]; array LOGGED[PARAMS+1]
 do for [k=1:PARAMS] { VALUE[k] = number('VALUE', k); LOW[k] = number('LOW', k); HIGH[k] = number('HIGH', k); LOGGED[k] = number('LOGGED', k) == 1 }
@@ -25,7 +28,7 @@ do for [k=1:SHOWN] {
     i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 16.0 - STEP*(i/2)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 150)/HEIGHT
-    set xlabel short(text_of('PARAM', k), SPAN + 60); set ylabel L('RISE') offset 1,0
+    set xlabel parameter(text_of('PARAM', k)); set ylabel L('RISE') offset 1,0
     set yrange [*:*]; set xrange [*:*]
     stats PROFILES using (pick(of_param(k) && column("rise") < 4*LIMIT, column("value"))) nooutput
     WIDE = (STATS_max - STATS_min)/(SHOWN == 1 ? 6.0 : 3.0); WIDE = WIDE > 0 ? WIDE : 1; TEN = 10.0**floor(log10(WIDE))

@@ -46,7 +46,7 @@ COLUMNS = PANELS < 4 ? PANELS : 4
 LINES = ceil(PANELS/(1.0*COLUMNS))
 WIDTH = 640.0
 # the same scale both ways
-WIDE = (WIDTH - 58)/COLUMNS - 10; TALL = WIDE*top/(high - low)
+WIDE = (WIDTH - 66)/COLUMNS - 10; TALL = WIDE*top/(high - low)
 most = LINES == 2 ? 154.0 : 560.0/LINES - 46;   # of two lines two figures go on a page
 most = most > 330 ? 330.0 : most
 if (TALL > most) { TALL = most }
@@ -61,13 +61,13 @@ TICK = (high - low) > 12 ? 5.0 : (high - low) > 5 ? 2.0 : (high - low) > 2 ? 1.0
 set xtics TICK
 do for [p=1:PANELS] {
     c = (p - 1) % COLUMNS; l = (p - 1)/COLUMNS
-    x0 = 52 + c*((WIDTH - 58)/COLUMNS); y1 = HEIGHT - 24 - l*(TALL + 46)
+    x0 = 60 + c*((WIDTH - 66)/COLUMNS); y1 = HEIGHT - 24 - l*(TALL + 46)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + WIDE)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
     set xrange [low:high]; set yrange [0:top]
     r = RUN_OF(p); k = KEY_OF(p)
     set title (SHOWN > 0 ? sprintf('%.3g s, %.3g m/s', number(sprintf('KEY_TIME_%d', r), k), number(sprintf('KEY_WIND_%d', r), k)) : short(NAME[r], 1.2*((WIDTH - 50)/COLUMNS - 10))) font ",10" offset 0,-0.9
-    set xlabel (l == LINES - 1 ? L('ALONG') : '') font ',9.5' offset 0,0.6; set ylabel (c == 0 ? L('HEIGHT') : '') font ',9.5' offset 1.5,0
+    set xlabel (l == LINES - 1 ? L('ALONG') : '') font ',9.5' offset 0,0.6; set ylabel (c == 0 ? L('HEIGHT') : '') font ',9.5' offset 0.3,0
     if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",9.5" autofreq } else { set border 1; unset ytics }
     set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead front dt (4,4) lc rgb '#606060' lw 0.9
     BEYOND = broken(r, k) ? 3 : 0

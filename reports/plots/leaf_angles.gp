@@ -21,13 +21,13 @@ set datafile nocolumnheaders
 load HERE.'start.gp'
 set multiplot
 set lmargin at screen 82.0/WIDTH; set rmargin at screen 625.0/WIDTH
-set ytics 30 font ",8"; set xtics font ",9"; set format x ""
-set ylabel L('DEGREES') font ",8"
+set ytics 30 font ",9.5"; set xtics font ",9.5"; set format x ""
+set ylabel L('DEGREES') font ",9.5"
 do for [p=1:PANELS] {
     r = nth(SHOWS, p); y1 = HEIGHT - 8 - (p - 1)*(ROW + 12)
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - ROW)/HEIGHT
-    set label 1 short(NAME[r], 440) at graph 0.995, graph 0.88 right font ",9"
-    if (p == PANELS) { set format x "%g"; set xlabel L('TIME') font ",9" }
+    set label 1 short(NAME[r], 440) at graph 0.995, graph 0.88 right font ",9.5"
+    if (p == PANELS) { set format x "%g"; set xlabel L('TIME') font ",9.5" }
     set xrange [0:FRAMES[r]*STEP[r]]
     first = MOTION[r] eq 'noise' ? 3 : 1
     plot for [c=first:(MOTION[r] eq 'noise' ? 5 : 2)] $LEAF using (pick($1 == r, $2)):(column(c + 2)) with lines lt c lw 1.2

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/err.h"
+#include "base/said.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -41,6 +42,7 @@ static void add_finding(struct wf_diag *d, struct wf_finding f, const char *text
     f.text = wf_arena_text(d->arena, text);
     if (f.file) f.file = wf_arena_text(d->arena, f.file);
     if (f.code) f.code = wf_arena_text(d->arena, f.code);
+    f.said = wf_said_copy(f.said, d->arena);
     if (!f.text) return;
     *node = f;
     if (d->last)
@@ -72,12 +74,27 @@ static bool known_warning(const struct wf_diag *d, const char *code, const char 
 void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
 {
     char text[2048];
-    va_list args;
+    va_list args, again;
+    struct wf_arena scratch = { 0 };
+    struct wf_said said;
+    struct wf_finding f = { .severity = WF_WARNING, .code = code };
     va_start(args, fmt);
+    va_copy(again, args);
     (void)vsnprintf(text, sizeof text, fmt, args);
+    if (!known_warning(d, code, text)) {
+        if (wf_said_take(&scratch, fmt, again, &said)) f.said = &said;
+        add_finding(d, f, text);
+    }
+    va_end(again);
     va_end(args);
-    if (!known_warning(d, code, text))
-        add_finding(d, (struct wf_finding){ .severity = WF_WARNING, .code = code }, text);
+    wf_arena_free(&scratch);
+}
+
+void wf_diag_pass(struct wf_diag *d, const struct wf_finding *warning)
+{
+    struct wf_finding f = *warning;
+    f.next = NULL;
+    if (!known_warning(d, f.code, f.text)) add_finding(d, f, f.text);
 }
 
 static bool precedes(const struct wf_finding *a, const struct wf_finding *b)

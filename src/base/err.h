@@ -51,12 +51,14 @@ extern "C" {
 
 enum wf_severity { WF_WARNING, WF_ERROR };
 
+struct wf_said;
 struct wf_finding {
     enum wf_severity severity;
     const char *file;    /* NULL: the finding is not about a file */
     size_t line, column; /* 1-based; 0 = unknown */
     const char *code;    /* short stable name for warnings, e.g. "small-deflection"; NULL for errors */
     const char *text;
+    const struct wf_said *said; /* the text by parts, of a warning (base/said.h); NULL: none */
     struct wf_finding *next;
 };
 
@@ -74,6 +76,8 @@ void wf_diag_error(struct wf_diag *d, const char *file, size_t line, size_t colu
  * of the same code and text is added only once. */
 void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
+/* Add a warning of another list. */
+void wf_diag_pass(struct wf_diag *d, const struct wf_finding *warning);
 /* Sort the findings after `before` (NULL: all) by line and column. Findings at the same place keep their
  * order; those without a line come last. */
 void wf_diag_sort(struct wf_diag *d, struct wf_finding *before);

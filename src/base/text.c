@@ -122,6 +122,26 @@ static size_t columns_of(uint32_t c)
     return wide ? 2 : 1;
 }
 
+/* Does a file's name begin here: at the start, or behind a blank, a quote or a bracket? */
+static bool begins_path(const char *text, const char *p)
+{
+    return *p == '/' && (p == text || strchr(" \t\n'\"(=", p[-1]));
+}
+
+const char *wf_text_without_folders(const char *text, struct wf_arena *a)
+{
+    char *out = WF_TAKE(a, strlen(text) + 1, char), *to = out;
+    for (const char *p = text; out && *p;) {
+        size_t n = begins_path(text, p) ? strcspn(p, " \t\n'\"(),;") : 0;
+        const char *last = p;
+        for (size_t i = 0; i < n; i++)
+            if (p[i] == '/' && i + 1 < n) last = p + i;
+        if (last > p) p = last + 1;
+        *to++ = *p++;
+    }
+    return out;
+}
+
 const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena *a)
 {
     size_t n, used = 0, end = 0, at = 0;

@@ -27,6 +27,9 @@ const char *wf_text_for_terminal(const char *text, char end, struct wf_arena *a)
 /* For XML 1.0 and what is drawn into SVG: characters that are not allowed there, and bytes that are not
  * UTF-8, are replaced by U+FFFD. */
 const char *wf_text_for_xml(const char *text, struct wf_arena *a);
+/* For a page that is handed on: of files that are named from the root ("/home/me/oak.yaml") the name alone,
+ * the folders are nobody's business. */
+const char *wf_text_without_folders(const char *text, struct wf_arena *a);
 /* For a place of `columns` columns (at least 2; wide East Asian characters take two): a longer text is cut
  * and ends in an ellipsis. */
 const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena *a);

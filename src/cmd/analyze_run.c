@@ -37,7 +37,7 @@ static enum wf_status note_input(struct wf_analyze_work *w, const char *role, co
 static void take_warnings(struct wf_diag *to, const struct wf_diag *from)
 {
     for (const struct wf_finding *f = from->first; f; f = f->next)
-        if (f->severity == WF_WARNING) wf_diag_warn(to, f->code, "%s", f->text);
+        if (f->severity == WF_WARNING) wf_diag_pass(to, f);
 }
 
 /* The warnings of each species for its results: first those about the file of the tree, which have been
@@ -57,7 +57,7 @@ static void keep_climate_warnings(struct wf_analyze_work *w, const struct wf_dia
 {
     w->tree.arena = &w->arena;
     for (const struct wf_finding *f = d->first; f; f = f->next)
-        if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_warn(&w->tree, f->code, "%s", f->text);
+        if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_pass(&w->tree, f);
 }
 
 static const char *anchorage_file(const struct wf_anchorage_asked *q)

@@ -175,6 +175,13 @@ static bool read_root_loss(const char *text, struct wf_anchorage_request *q)
     if (!text) return true;
     if (strlen(text) >= sizeof copy) return false;
     memcpy(copy, text, strlen(text) + 1);
+    static const char *const key[] = { "from=", ",to=", ",share=" }; /* a table of a card, as it arrives */
+    for (size_t k = 0; k < WF_COUNT(key); k++) {
+        char *at = strstr(copy, key[k]);
+        if (!at || (k == 0 && at != copy)) break;
+        if (k) *at++ = ':';
+        memmove(at, at + strlen(key[k]) - (k > 0), strlen(at + strlen(key[k]) - (k > 0)) + 1);
+    }
     for (char *p = copy; (p = strchr(p, ':')); part[n++] = p) {
         if (n == WF_COUNT(part)) return false;
         *p++ = '\0';
@@ -187,7 +194,7 @@ static bool read_root_loss(const char *text, struct wf_anchorage_request *q)
             return false;
         if (!(fabs(from) <= 360 && fabs(to) <= 360)) return false;
         double width = to - from > 0 ? to - from : to - from + 360;
-        if (!(width > 0 && width <= 360)) return false;
+        if (from == to || !(width > 0 && width <= 360)) return false;
         q->lost_half = 0.5 * width * degree, q->lost_middle = (from + 0.5 * width) * degree;
     }
     return q->lost > 0 && q->lost <= (n > 1 ? 1 : 0.95);

@@ -15,6 +15,7 @@
 #include "wind/category.h"
 #include "wind/design.h"
 #include <math.h>
+#include <string.h>
 
 static double degrees(double rad) { return rad * 180.0 / M_PI; }
 static double compass(double rad) { return fmod(round(degrees(rad)) + 360, 360); }
@@ -57,8 +58,16 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
 }
 
 /* One reason a line. */
-static void print_reasons(FILE *to, const struct wf_assessment *x)
+static void print_reasons(FILE *to, const struct wf_analysis *an)
 {
+    const struct wf_assessment *x = an->assessment;
+    const struct wf_at_speed *at = &an->at[an->n - 1];
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (x->lost_by & (1U << c))
+            wf_show(to, "    it is lost by %s: safety %.2f\n", wf_criteria[c].name,
+                    at->worst[c][WF_SCOPE_STEM].safety);
+    if (x->because & WF_ASSESS_NO_EQUILIBRIUM)
+        wf_show(to, "    the tree has no equilibrium in this wind: it goes down in the computation\n");
     if (x->because & WF_ASSESS_LOW_END)
         wf_show(to, "    at the low end of the interval the safety is %.2f, %s the required %.3g\n", x->low,
                 x->high < x->required ? "as at its high end below" : "below", x->required);
@@ -66,6 +75,11 @@ static void print_reasons(FILE *to, const struct wf_assessment *x)
         wf_show(to, "    in saturated soil it may overturn: safety %.2f to %.2f\n", x->wet_low, x->wet_high);
     if (x->because & WF_ASSESS_NO_OVERTURNING)
         wf_show(to, "    overturning is not assessed: this says nothing of the roots\n");
+    if (x->because & WF_ASSESS_NO_STRENGTH)
+        wf_show(
+            to,
+            "    the species has no strength: breakage is not assessed, and nothing here says that the stem "
+            "holds\n");
     if (x->because & WF_ASSESS_NO_ELASTIC)
         wf_show(to, "    the species has no compressive strength: breakage is by the modulus of rupture, "
                     "which is up to twice as high\n");
@@ -87,7 +101,7 @@ static void print_safeties(FILE *to, const struct wf_assessment *x)
                 x->wet_high);
     }
     wf_show(to, "%24s", "least");
-    print_number(to, 10, fmin(x->breakage.safety, x->overturning.safety));
+    print_number(to, 10, isnan(x->breakage.safety) ? NAN : fmin(x->breakage.safety, x->overturning.safety));
     wf_show(to, "%20s", "");
     if (isfinite(x->low))
         wf_show(to, "%9.2f to %.2f\n", x->low, x->high);
@@ -207,7 +221,9 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         "; its flare and the roots as they are; decay other than the cavities given; wear by many gusts\n");
     for (int c = 0; c < WF_CRITERIA; c++) {
         const char *why = wf_verdict_unassessed(an, &v, (enum wf_criterion_id)c);
-        if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
+        if (!why) continue;
+        const char *key = strchr(why, ' ') ? "" : "the species table has no ";
+        wf_show(to, "  %s not assessed: %s%s\n", wf_criteria[c].name, key, why);
     }
     if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
     if (an->anchorage && an->anchorage->method)
@@ -273,7 +289,7 @@ void wf_print_assessment(FILE *to, const struct wf_analysis *an)
     print_tree(to, an);
     print_wind(to, an);
     wf_show(to, "\n  %s: %s\n", shown[x->word], wf_assess_rows[x->word].text);
-    print_reasons(to, x);
+    print_reasons(to, an);
     print_safeties(to, x);
     print_governing(to, an);
     print_critical(to, an);

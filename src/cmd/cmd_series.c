@@ -102,7 +102,7 @@ static void print_findings_once(const struct wf_diag *diag, size_t runs, bool qu
     struct wf_diag once = { .arena = a };
     for (size_t r = 0; r < runs; r++)
         for (const struct wf_finding *w = diag[r].first; w; w = w->next)
-            wf_diag_warn(&once, w->code, "%s", w->text);
+            wf_diag_pass(&once, w);
     wf_print_findings(&once, quiet);
 }
 

@@ -122,7 +122,8 @@ enum wf_status wf_crown_rule_check(const char *words, struct wf_err *e)
 }
 
 enum wf_status wf_crown_rule_mass(const char *words, const char *species, const struct wf_crown_size *size,
-                                  struct wf_arena *a, double *mass, const char **said, struct wf_err *e)
+                                  double *mass, const struct wf_crown_rule **rule,
+                                  const struct wf_crown_kind **of, struct wf_err *e)
 {
     const struct wf_crown_rule *r;
     const struct wf_crown_kind *kind;
@@ -136,7 +137,6 @@ enum wf_status wf_crown_rule_mass(const char *words, const char *species, const 
     if (!r->by_cone && !(size->diameter > 0))
         return wf_fail(e, WF_EINPUT, "%s needs the diameter at 1.3 m; the stem ends below", r->name);
     *mass = r->mass(kind, size);
-    *said =
-        wf_arena_print(a, "%s:%s, %s (%s); for %s", r->name, kind->name, r->title, r->source, r->validity);
-    return *said ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
+    *rule = r, *of = kind;
+    return WF_OK;
 }

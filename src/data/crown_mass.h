@@ -33,9 +33,10 @@ extern const struct wf_crown_rule wf_crown_rules[]; /* forestgales, wcc; ends at
 /* Check the words "RULE" or "RULE:KIND". Errors: WF_EINPUT with what is known. */
 enum wf_status wf_crown_rule_check(const char *words, struct wf_err *e);
 
-/* Fresh mass [kg] of the crown of a tree of a species (key of its table). Returned: *mass; *said, in `a`:
- * what it is by, with source and validity, for a message. Errors: WF_EINPUT where the words are unknown, the
+/* Fresh mass [kg] of the crown of a tree of a species (key of its table). Returned: *mass; the rule and its
+ * kind. Errors: WF_EINPUT where the words are unknown, the
  * rule has no kind of this species, or what it needs of the tree is not known. */
 enum wf_status wf_crown_rule_mass(const char *words, const char *species, const struct wf_crown_size *size,
-                                  struct wf_arena *a, double *mass, const char **said, struct wf_err *e);
+                                  double *mass, const struct wf_crown_rule **rule,
+                                  const struct wf_crown_kind **of, struct wf_err *e);
 #endif

@@ -2,10 +2,12 @@
 #include "fail/anchorage.h"
 #include "base/column.h"
 #include "base/num.h"
+#include "base/said.h"
 #include "data/section.h"
 #include "data/species.h"
 #include "fail/fail.h"
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -50,10 +52,19 @@ static bool is_species(const struct wf_species *sp, const char *latin)
     return sp->latin && strstr(sp->latin, latin);
 }
 
-static enum wf_status say(struct wf_anchorage *out, const char *text, struct wf_err *e)
+static enum wf_status say(struct wf_anchorage *out, struct wf_arena *a, struct wf_err *e, const char *fmt,
+                          ...) __attribute__((format(printf, 4, 5)));
+static enum wf_status say(struct wf_anchorage *out, struct wf_arena *a, struct wf_err *e, const char *fmt,
+                          ...)
 {
-    out->text = text;
-    return text ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
+    va_list args;
+    va_start(args, fmt);
+    struct wf_said *said = WF_TAKE(a, 1, struct wf_said);
+    bool whole = said && wf_said_take(a, fmt, args, said);
+    va_end(args);
+    out->said = said;
+    out->text = whole ? wf_said_put(a, said->message, said->arg, said->n) : NULL;
+    return out->text ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
 }
 
 /* ---- Tests on the tree itself ---- */
@@ -67,7 +78,7 @@ static enum wf_status find_pull(const struct wf_anchorage_request *q, const stru
 {
     (void)t, (void)sp;
     out->moment = over_quarter_degree * q->pull_moment;
-    return say(out, wf_arena_print(a, "2.5 x %.4g kN m at 0.25 deg", 1e-3 * q->pull_moment), e);
+    return say(out, a, e, "2.5 x %.4g kN m at 0.25 deg", 1e-3 * q->pull_moment);
 }
 
 static enum wf_status find_secant(const struct wf_anchorage_request *q, const struct wf_tree *t,
@@ -76,7 +87,7 @@ static enum wf_status find_secant(const struct wf_anchorage_request *q, const st
 {
     (void)t, (void)sp;
     out->moment = over_quarter_degree * 0.25 * (WF_PI / 180) * q->secant;
-    return say(out, wf_arena_print(a, "0.0109 rad x %.4g kN m/rad, secant at 0.25 deg", 1e-3 * q->secant), e);
+    return say(out, a, e, "0.0109 rad x %.4g kN m/rad, secant at 0.25 deg", 1e-3 * q->secant);
 }
 
 struct wf_tipping_curve {
@@ -101,10 +112,8 @@ static enum wf_status find_curve(const struct wf_anchorage_request *q, const str
     const struct wf_tipping_curve *c = q->curve;
     size_t top = curve_top(c);
     out->moment = c->moment[top];
-    return say(out,
-               wf_arena_print(a, "largest of %zu moments of %s, at %.3g deg%s", c->n, c->file,
-                              c->angle[top] * 180 / WF_PI, top + 1 == c->n ? ", its end: a lower bound" : ""),
-               e);
+    return say(out, a, e, "largest of %zu moments of %s, at %.3g deg%s", c->n, c->file,
+               c->angle[top] * 180 / WF_PI, top + 1 == c->n ? ", its end: a lower bound" : "");
 }
 
 /* ---- By size ---- */
@@ -140,20 +149,16 @@ static enum wf_status find_size(const struct wf_anchorage_request *q, const stru
     const char *why = isnan(d) ? "the stem is shorter than 1.3 m" : not_by_size(t, sp);
     const struct size_row *row = sizes;
     if (q->grown > 0) h = q->grown;
-    if (why) return say(out, why, e);
+    if (why) return say(out, a, e, "%s", why);
     while (row->latin && !is_species(sp, row->latin)) row++;
     out->moment = row->factor * d * d * h;
     out->scatter = row->scatter;
-    return say(out,
-               wf_arena_print(a, "%.3g kN m/m3 x d^2 h (d %.3g m at 1.3 m%s, h %.4g m), %d trees %s%s",
-                              1e-3 * row->factor, d,
-                              breast.forked ? " of the thickest limb of a stem that forks below" : "", h,
-                              row->trees,
-                              row->latin ? "of " : "of 9 other species or groups together: none of ",
-                              row->latin  ? row->latin
-                              : sp->latin ? sp->latin
-                                          : sp->name),
-               e);
+    return say(out, a, e, "%.3g kN m/m3 x d^2 h (d %.3g m at 1.3 m%s, h %.4g m), %d trees %s%s",
+               1e-3 * row->factor, d, breast.forked ? " of the thickest limb of a stem that forks below" : "",
+               h, row->trees, row->latin ? "of " : "of 9 other species or groups together: none of ",
+               row->latin  ? row->latin
+               : sp->latin ? sp->latin
+                           : sp->name);
 }
 
 /* Anchorage per mass of the stem where a paper states it; British Columbia, Byrne 2005. */
@@ -172,9 +177,7 @@ static enum wf_status take_mass(double factor, const struct wf_tree *t, const ch
 {
     double mass = stem_mass(t);
     out->moment = factor * mass;
-    return say(out,
-               wf_arena_print(a, "%.4g N m/kg x %.4g kg of the stem's wood, %s, %s", factor, mass, of, where),
-               e);
+    return say(out, a, e, "%.4g N m/kg x %.4g kg of the stem's wood, %s, %s", factor, mass, of, where);
 }
 
 static enum wf_status find_mass(const struct wf_anchorage_request *q, const struct wf_tree *t,
@@ -186,7 +189,8 @@ static enum wf_status find_mass(const struct wf_anchorage_request *q, const stru
     for (size_t i = 0; !why && i < WF_COUNT(masses); i++)
         if (is_species(sp, masses[i].latin))
             return take_mass(masses[i].factor, t, masses[i].latin, "British Columbia", a, out, e);
-    return say(out, why ? why : "no paper that was read gives an anchorage per stem mass of this species", e);
+    return say(out, a, e, "%s",
+               why ? why : "no paper that was read gives an anchorage per stem mass of this species");
 }
 
 /* ---- A table of the user ---- */
@@ -219,7 +223,7 @@ static enum wf_status find_table(const struct wf_anchorage_request *q, const str
     const struct table_row *found = NULL;
     const char *why = not_by_size(t, sp);
     size_t same = 0, fitting = 0;
-    if (why) return say(out, why, e);
+    if (why) return say(out, a, e, "%s", why);
     for (size_t i = 0; i < all->n; i++) {
         const struct table_row *r = &all->row[i];
         if (!names_species(sp, r->species)) continue;
@@ -318,10 +322,8 @@ enum wf_status wf_anchorage_find(const struct wf_anchorage_request *q, const str
     out->scatter = m->scatter;
     s = m->find(q, t, sp, a, out, e);
     if (!s && q->lost > 0 && out->moment > 0)
-        s = say(out,
-                wf_arena_print(a, "%s; %.3g %% of the roots lost over %.3g deg", out->text, 100 * q->lost,
-                               2 * q->lost_half * 180 / WF_PI),
-                e);
+        s = say(out, a, e, "%s; %.3g %% of the roots lost over %.3g deg", out->text, 100 * q->lost,
+                2 * q->lost_half * 180 / WF_PI);
     if (!s && out->moment > 0) out->method = m;
     return s;
 }

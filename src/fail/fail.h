@@ -226,12 +226,14 @@ struct wf_anchorage_request {
 #define WF_ANCHORAGE_UNSAID "soil and anchorage unknown"
 
 /* The anchorage of one tree. */
+struct wf_said;
 struct wf_anchorage {
     const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
     double moment;  /* largest moment on the ground that the root carries, as tested or by size, before any of
                        it is lost [N m]; NAN */
     double scatter; /* standard deviation of its logarithm; NAN: not known */
     const char *text; /* what it was computed from; or why overturning is not assessed */
+    const struct wf_said *said; /* the same by parts (base/said.h); NULL: none */
 };
 
 /* ---- Strength of branches ---- */

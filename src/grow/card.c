@@ -242,14 +242,16 @@ static bool is_conifer(const char *latin)
 }
 
 /* The rule for the mass of the crown: that of the species, else that of an oak or a spruce. */
-static const char *mass_rule(const struct wf_card *c, const struct wf_species *sp, struct wf_arena *a)
+static const char *mass_rule(const struct wf_card *c, const struct wf_species *sp)
 {
     bool cone = c->crown_width > 0;
     const struct wf_crown_size any = { .diameter = 0.4, .width = 4, .depth = 8, .leaves = true };
-    const char *rule = cone ? "forestgales" : "wcc", *said;
+    const char *rule = cone ? "forestgales" : "wcc";
+    const struct wf_crown_rule *r;
+    const struct wf_crown_kind *kind;
     double mass;
     struct wf_err unsaid = { WF_OK, "" };
-    if (!wf_crown_rule_mass(rule, sp->key, &any, a, &mass, &said, &unsaid)) return rule;
+    if (!wf_crown_rule_mass(rule, sp->key, &any, &mass, &r, &kind, &unsaid)) return rule;
     if (is_conifer(sp->latin)) return cone ? "forestgales:norway_spruce" : "wcc:spruce";
     return cone ? "forestgales:oak" : "wcc:oak";
 }
@@ -289,7 +291,7 @@ enum wf_status wf_card_model(const struct wf_card *c, const struct wf_species *s
                         .form = c->form,
                         .mass = NAN,
                         .density = NAN,
-                        .by = mass_rule(c, sp, a),
+                        .by = mass_rule(c, sp),
                         .leafless = NAN },
     };
     out->judged_to = 0.5 * (out->crown_base + out->crown_top);

@@ -449,23 +449,23 @@ static enum wf_status onto_area(const struct wf_model *m, const struct wf_specie
 
 /* Mass of the crown as the model gives it [kg]; 0: it does not. */
 static enum wf_status crown_mass(const struct wf_model *m, const struct wf_species *sp,
-                                 const struct wf_tree *t, struct wf_arena *a, struct wf_diag *d, double *mass,
-                                 struct wf_err *e)
+                                 const struct wf_tree *t, struct wf_diag *d, double *mass, struct wf_err *e)
 {
     const struct wf_silhouette *s = &m->silhouette;
     const struct wf_outline_size seen = wf_silhouette_size(m, wf_tree_height(t));
     const struct wf_crown_size size = { wf_tree_breast(t).diameter, seen.breadth, seen.height,
                                         m->season == WF_LEAF_ON };
     struct wf_err why = { WF_OK, "" };
-    const char *said;
+    const struct wf_crown_rule *r;
+    const struct wf_crown_kind *kind;
     *mass = given(s->density) ? s->density * WF_PI / 12 * seen.breadth * seen.breadth * seen.height : s->mass;
     *mass *= 1 - s->thinned;
     if (!s->by) return WF_OK;
-    enum wf_status status = wf_crown_rule_mass(s->by, sp->key, &size, a, mass, &said, &why);
+    enum wf_status status = wf_crown_rule_mass(s->by, sp->key, &size, mass, &r, &kind, &why);
     *mass *= 1 - s->thinned;
     if (status) return wf_fail(e, status, "%s: crown_mass_by: %s", m->key, why.text);
-    wf_diag_warn(d, "crown-mass-by", "%s: branches and leaves are taken as %.4g kg by %s", m->name, *mass,
-                 said);
+    wf_diag_warn(d, "crown-mass-by", "%s: branches and leaves are taken as %.4g kg by %s:%s, %s (%s); for %s",
+                 m->name, *mass, r->name, kind->name, r->title, r->source, r->validity);
     return WF_OK;
 }
 
@@ -510,7 +510,7 @@ enum wf_status wf_silhouette_onto(const struct wf_model *m, const struct wf_spec
                          m->key, sp->key);
     if (!status) status = find_carriers(t, &scratch, &c, e);
     if (!status && area) status = onto_area(m, sp, &c, &scratch, d, e);
-    if (!status) status = crown_mass(m, sp, t, &scratch, d, &mass, e);
+    if (!status) status = crown_mass(m, sp, t, d, &mass, e);
     if (!status) status = onto_mass(m, &c, mass, d, e);
     wf_arena_free(&scratch);
     return status;

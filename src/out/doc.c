@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/doc.h"
+#include "base/said.h"
 #include "base/text.h"
 #include <math.h>
 #include <stdarg.h>
@@ -105,6 +106,15 @@ void wf_doc_figure(struct wf_doc *d, json_t *list, const char *name, const char 
     wf_doc_count(d, o, "run", run);
 }
 
+void wf_doc_said(struct wf_doc *d, json_t *o, const struct wf_said *said)
+{
+    if (!said) return;
+    wf_doc_text(d, o, "message", said->message);
+    json_t *list = wf_doc_put(d, o, "args", wf_doc_array(d));
+    for (size_t k = 0; k < said->n; k++)
+        wf_doc_text(d, wf_doc_add(d, list, wf_doc_object(d)), "text", said->arg[k]);
+}
+
 static bool said(const json_t *list, const char *text)
 {
     for (size_t i = 0; i < json_array_size(list); i++) {
@@ -121,6 +131,7 @@ void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag)
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_text(d, o, "code", w->code);
         wf_doc_text(d, o, "text", w->text);
+        wf_doc_said(d, o, w->said);
     }
 }
 
@@ -193,7 +204,8 @@ static void quoted(struct wf_plot_data *p, const char *key, size_t index, const 
 void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text)
 {
     struct wf_arena a = { 0 };
-    const char *allowed = wf_text_for_xml(text ? text : "", &a);
+    const char *bare = wf_text_without_folders(text ? text : "", &a);
+    const char *allowed = bare ? wf_text_for_xml(bare, &a) : NULL;
     const char *cut = allowed ? wf_text_shortened(allowed, TEXT_COLUMNS, &a) : NULL;
     p->failed = p->failed || !cut;
     quoted(p, key, index, cut ? cut : "");

@@ -43,7 +43,10 @@ json_t *wf_doc_begin(struct wf_doc *d, const char *schema, const struct wf_doc_h
 /* Append a figure to a list that tells the page maker what to draw: {name, script, run}, see out/figures.h.
  */
 void wf_doc_figure(struct wf_doc *d, json_t *list, const char *name, const char *script, size_t run);
-/* Append warnings {code, text} to a list, except those it already has. */
+/* Put a sentence by parts into an object, unless it is NULL: `message`, the English with {1} for each
+ * argument, and `args` [{text}]. */
+void wf_doc_said(struct wf_doc *d, json_t *o, const struct wf_said *said);
+/* Append warnings {code, text, message, args} to a list, except those it already has. */
 void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag);
 /* Write FOLDER/results.json and free the document. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder, struct wf_err *e);
@@ -64,7 +67,8 @@ enum wf_status wf_plot_data_begin(struct wf_plot_data *p, const char *folder, co
 void wf_plot_data_number(struct wf_plot_data *p, const char *key, size_t index, double x);
 void wf_plot_data_count(struct wf_plot_data *p, const char *key, size_t index, size_t n);
 /* A row with a text of a user, NULL as an empty one: quoted, with what gnuplot or its SVG would take for more
- * than text escaped, control characters as spaces, and cut with an ellipsis at 160 columns. */
+ * than text escaped, control characters as spaces, without the folders of files,
+ * and cut with an ellipsis at 160 columns. */
 void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text);
 /* A row with a list of words or numbers of windfirm's own, which is not cut. */
 void wf_plot_data_words(struct wf_plot_data *p, const char *key, size_t index, const char *words);

@@ -289,6 +289,7 @@ static json_t *document(struct wf_doc *d, const struct wf_fit_results *of)
     for (const struct wf_finding *f = of->diag.first; f; f = f->next) {
         json_t *q = wf_doc_add(d, w, wf_doc_object(d));
         wf_doc_text(d, q, "code", f->code), wf_doc_text(d, q, "text", f->text);
+        wf_doc_said(d, q, f->said);
     }
     return o;
 }

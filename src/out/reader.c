@@ -34,7 +34,7 @@ static const struct {
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "blocks modes budget criticals_m_s drags_N deflections_m frequencies_Hz moments_N_m speeds sways "
-            "swing_m "
+            "swing_m args "
             "lost_by safeties varied table_share wind_notes parts "
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
@@ -97,7 +97,7 @@ static const struct {
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
-      "reason reference role scope script season sensor sha256 source species_name status "
+      "reason reference message species_zh role scope script season sensor sha256 source species_name status "
       "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from "
       "site_kind design safety_criterion "
       "wind_terrain" },

@@ -14,6 +14,7 @@
 #include "out/reader.h"
 #include "out/results.h"
 #include "out/template.h"
+#include "out/tongue.h"
 #include "out/tree_picture.h"
 #include "out/xml.h"
 #include <stdlib.h>
@@ -115,6 +116,16 @@ static enum wf_status read_results(struct job *j)
     return code ? code : wf_tables_check(j->folder, j->e);
 }
 
+/* The texts that the results say themselves. */
+static enum wf_status translate(struct job *j)
+{
+    struct wf_tongue *t;
+    enum wf_status code = wf_tongue_open(j->language, &t, j->e);
+    if (!code) wf_tongue_translate(t, xmlDocGetRootElement(j->document)->children);
+    if (!code) wf_tongue_close(t);
+    return code;
+}
+
 static enum wf_status make_document(struct job *j)
 {
     char path[WF_PATH_MAX];
@@ -134,6 +145,7 @@ static enum wf_status make_document(struct job *j)
             code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     }
     wf_arena_free(&scratch);
+    if (!code) code = translate(j);
     return !code && j->turned ? wf_page_guard(xmlDocGetRootElement(j->document), j->e) : code;
 }
 

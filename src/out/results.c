@@ -158,6 +158,7 @@ static json_t *warnings_part(struct wf_doc *d, const struct wf_diag *diag)
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_text(d, o, "code", f->code);
         wf_doc_text(d, o, "text", f->text);
+        wf_doc_said(d, o, f->said);
         wf_doc_text(d, o, "file", f->file);
     }
     return list;

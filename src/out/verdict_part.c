@@ -110,6 +110,7 @@ static json_t *anchorage(struct wf_doc *d, const struct wf_anchorage *q)
     wf_doc_text(d, o, "source", q->method->source);
     wf_doc_text(d, o, "validity", q->method->validity);
     wf_doc_text(d, o, "text", q->text);
+    wf_doc_said(d, o, q->said);
     wf_doc_flag(d, o, "counts_self_weight", q->method->counts_self_weight);
     wf_doc_quantity(d, o, "moment", q->moment, "N m", NULL);
     wf_doc_number(d, o, "scatter", q->scatter);
@@ -205,13 +206,20 @@ static json_t *safety_part(struct wf_doc *d, const struct wf_assess_part *p)
     return o;
 }
 
-static json_t *reasons_part(struct wf_doc *d, unsigned because)
+static json_t *reasons_part(struct wf_doc *d, unsigned because, unsigned lost_by)
 {
+    char lost[60];
     json_t *list = wf_doc_array(d);
     for (unsigned k = 0; wf_assess_reasons[k]; k++)
         if (because & (1U << k)) {
             json_t *o = wf_doc_add(d, list, wf_doc_object(d));
             wf_doc_text(d, o, "reason", wf_assess_reasons[k]);
+        }
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (lost_by & (1U << c)) {
+            json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+            (void)snprintf(lost, sizeof lost, "lost-by-%s", wf_criteria[c].name);
+            wf_doc_text(d, o, "reason", lost);
         }
     return list;
 }
@@ -274,7 +282,7 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
 {
     json_t *o = wf_doc_object(d);
     wf_doc_text(d, o, "word", wf_assess_rows[x->word].name);
-    wf_doc_put(d, o, "because", reasons_part(d, x->because));
+    wf_doc_put(d, o, "because", reasons_part(d, x->because, x->lost_by));
     wf_doc_number(d, o, "required", x->required);
     wf_doc_quantity(d, o, "speed", x->speed, "m/s", NULL);
     wf_doc_put(d, o, "breakage", safety_part(d, &x->breakage));

@@ -10,7 +10,8 @@
 
 /* Append `value` to `parent` as an element of that name: an object's members become child elements by key, an
  * array's elements become <item>, null an element with the attribute null="yes". Keys that are not valid XML
- * names are left out; characters that XML 1.0 does not allow become U+FFFD. Returned: the element, or NULL
+ * names are left out; characters that XML 1.0 does not allow become U+FFFD; of files named from the root the
+ * folders are left out. Returned: the element, or NULL
  * without memory. */
 xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value);
 

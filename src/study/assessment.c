@@ -13,7 +13,7 @@
 #include <string.h>
 
 const struct wf_assess_row wf_assess_rows[WF_ASSESS_WORDS] = {
-    [WF_ASSESS_UNKNOWN] = { "unknown", "nothing could be assessed" },
+    [WF_ASSESS_UNKNOWN] = { "unknown", "no verdict: whether the stem breaks was not assessed" },
     [WF_ASSESS_LOST] = { "lost", "as computed, the tree is lost in this wind" },
     [WF_ASSESS_INSUFFICIENT] = { "insufficient", "the safety is below the required one" },
     [WF_ASSESS_UNCERTAIN] = { "uncertain", "enough as computed, but that is not sure" },
@@ -21,8 +21,8 @@ const struct wf_assess_row wf_assess_rows[WF_ASSESS_WORDS] = {
     [WF_ASSESS_SUFFICIENT] = { "sufficient", "enough by all that was assessed" },
 };
 
-const char *const wf_assess_reasons[] = { "no-overturning", "no-elastic-limit", "no-interval",
-                                          "low-end",        "saturated-soil",   NULL };
+const char *const wf_assess_reasons[] = { "no-overturning", "no-elastic-limit", "no-interval",    "low-end",
+                                          "saturated-soil", "no-strength",      "no-equilibrium", NULL };
 
 /* ---- Safeties at a wind ---- */
 
@@ -198,7 +198,14 @@ static void find_reasons(const struct wf_analysis *an, struct wf_assessment *out
 {
     const struct wf_criterion *elastic = &wf_criteria[WF_ELASTIC_LIMIT];
     if (isnan(out->overturning.safety)) out->because |= WF_ASSESS_NO_OVERTURNING;
-    if (!wf_criterion_known(elastic, &an->tree, WF_SCOPE_STEM)) out->because |= WF_ASSESS_NO_ELASTIC;
+    const struct wf_at_speed *at = &an->at[an->n - 1];
+    if (at->status) out->because |= WF_ASSESS_NO_EQUILIBRIUM;
+    for (int c = 0; c < WF_CRITERIA && !at->status; c++)
+        if (wf_criteria[c].loses_tree && at->worst[c][WF_SCOPE_STEM].safety <= 1) out->lost_by |= 1U << c;
+    if (isnan(out->breakage.safety))
+        out->because |= WF_ASSESS_NO_STRENGTH;
+    else if (!wf_criterion_known(elastic, &an->tree, WF_SCOPE_STEM))
+        out->because |= WF_ASSESS_NO_ELASTIC;
     if (isnan(out->low)) out->because |= WF_ASSESS_NO_INTERVAL;
     if (out->low < out->required) out->because |= WF_ASSESS_LOW_END;
     if (out->wet_low <= 1) out->because |= WF_ASSESS_WET;

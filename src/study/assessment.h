@@ -31,8 +31,10 @@ enum {
     WF_ASSESS_NO_OVERTURNING = 1, /* overturning was not assessed */
     WF_ASSESS_NO_ELASTIC = 2,     /* the species has no compressive strength */
     WF_ASSESS_NO_INTERVAL = 4,
-    WF_ASSESS_LOW_END = 8, /* the low end of the interval is below the required safety */
-    WF_ASSESS_WET = 16     /* it overturns in saturated soil */
+    WF_ASSESS_LOW_END = 8,        /* the low end of the interval is below the required safety */
+    WF_ASSESS_WET = 16,           /* it overturns in saturated soil */
+    WF_ASSESS_NO_STRENGTH = 32,   /* no strength is known: breakage was not assessed */
+    WF_ASSESS_NO_EQUILIBRIUM = 64 /* the tree has no state in this wind */
 };
 
 /* The least safety by the criteria of one kind. */
@@ -87,6 +89,7 @@ struct wf_assessment {
     double reduction_cut; /* share of its frontal area that is gone then [-] */
     enum wf_assess_word word;
     unsigned because; /* of WF_ASSESS_NO_OVERTURNING and so on */
+    unsigned lost_by; /* all criteria that lose the tree in this wind: bits by their ids */
 };
 
 /* Is a tree's safety the same in wind from all directions? */

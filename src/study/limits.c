@@ -414,20 +414,25 @@ static void say_beyond(const struct wf_analysis *an, double end, double largest,
     const struct wf_law_use *law = &an->species->streamlining;
     const struct wf_streamline_law *row = an->loads.streamline;
     struct wf_law_values extended = an->loads.streamline_par;
-    char words[200] = "there its share is held, and the drag grows as the square of the wind speed";
-    double slope;
+    const char *with = critical ? " (critical speed included)" : "";
+    double slope, beyond = 100.0 * (largest / end - 1.0);
     extended.held = 0;
     if (law->beyond == WF_BEYOND_EXTEND)
-        (void)snprintf(words, sizeof words,
-                       "it is extended: lower load than if held, down to %.0f %% of it; 'beyond: hold' in "
-                       "the species table holds it",
-                       100.0 * wf_streamline_share(row, &extended, largest, &slope) /
-                           wf_streamline_share(row, &extended, end, &slope));
-    wf_diag_warn(d, "streamline-range",
-                 "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law '%s' "
-                 "ends at %.3g m/s (%.0f %% beyond); %s",
-                 an->species->name, largest, critical ? " (critical speed included)" : "", law->law, end,
-                 100.0 * (largest / end - 1.0), words);
+        wf_diag_warn(
+            d, "streamline-range",
+            "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law '%s' "
+            "ends at %.3g m/s (%.0f %% beyond); it is extended: lower load than if held, down to "
+            "%.0f %% of it; 'beyond: hold' in the species table holds it",
+            an->species->name, largest, with, law->law, end, beyond,
+            100.0 * wf_streamline_share(row, &extended, largest, &slope) /
+                wf_streamline_share(row, &extended, end, &slope));
+    else
+        wf_diag_warn(
+            d, "streamline-range",
+            "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law '%s' "
+            "ends at %.3g m/s (%.0f %% beyond); there its share is held, and the drag grows as the "
+            "square of the wind speed",
+            an->species->name, largest, with, law->law, end, beyond);
 }
 
 static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)

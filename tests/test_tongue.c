@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Sentences by parts, and their translations: the parts give back what printf prints; the catalogue has every
+ * warning and every note; no English sentence is left in Chinese pages. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "base/err.h"
+#include "base/said.h"
+#include "out/tongue.h"
+#include "shell.h"
+#include <string.h>
+
+static bool take(struct wf_arena *a, struct wf_said *out, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    bool whole = wf_said_take(a, fmt, args, out);
+    va_end(args);
+    return whole;
+}
+
+/* Every kind of conversion that the program uses. */
+static void parts_are_what_printf_prints(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_said s;
+    assert_true(take(&a, &s, "%s: %zu of %d, 50 %%, %.3g|%*.*f|%-8s|%+d|%02X|%lld", "Oak", (size_t)7, -3,
+                     12.3456, 9, 2, 3.14159, "ab", 5, 10, 123456789012LL));
+    assert_string_equal(s.message, "{1}: {2} of {3}, 50 %, {4}|{5}|{6}|{7}|{8}|{9}");
+    assert_int_equal(s.n, 9);
+    static const char *const want[] = { "Oak", "7", "-3", "12.3", "3.14", "ab", "+5", "0A", "123456789012" };
+    for (size_t k = 0; k < 9; k++) assert_string_equal(s.arg[k], want[k]);
+    assert_int_equal(s.width[4], 9);
+    assert_int_equal(s.width[5], -8);
+    assert_string_equal(wf_said_put(&a, "{2} {1} {10} {x} {", s.arg, s.n), "7 Oak {10} {x} {");
+    assert_true(take(&a, &s, "nothing"));
+    assert_int_equal(s.n, 0);
+    assert_false(take(&a, &s, "%d%d%d%d%d%d%d%d%d%d%d%d%d%d%d%d%d", 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13,
+                      14, 15, 16, 17));
+    wf_arena_free(&a);
+}
+
+/* A finding keeps its parts, also when it is passed on. */
+static void findings_keep_their_parts(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_diag d = { .arena = &a }, other = { .arena = &a };
+    wf_diag_warn(&d, "code", "%s: %.1f m", "Oak", 2.25);
+    wf_diag_pass(&other, d.first);
+    wf_diag_pass(&other, d.first);
+    assert_int_equal(other.warnings, 1);
+    assert_string_equal(other.first->text, "Oak: 2.2 m");
+    assert_string_equal(other.first->said->message, "{1}: {2} m");
+    assert_string_equal(other.first->said->arg[1], "2.2");
+    wf_arena_free(&a);
+}
+
+static void sentences(void **state)
+{
+    (void)state;
+    setenv("WINDFIRM_SHARE", ".", 1);
+    struct wf_arena a = { 0 };
+    struct wf_err e = { 0 };
+    struct wf_tongue *zh = NULL, *en = NULL;
+    struct wf_said s;
+    assert_int_equal(wf_tongue_open("zh", &zh, &e), WF_OK);
+    assert_int_equal(wf_tongue_open("en", &en, &e), WF_OK);
+    wf_tongue_name(zh, "Oak", "欧洲栎");
+    assert_true(take(&a, &s, "%s: these values are assumptions, not measurements: %s", "Oak",
+                     "stem: shear_modulus, density; crown: frontal_share"));
+    assert_string_equal(
+        wf_tongue_say(zh, &s, &a),
+        "欧洲栎：以下取值为假设而非实测：主干：剪切模量、密度（生材）；树冠：迎风面积与叶面积之比");
+    assert_string_equal(wf_tongue_say(en, &s, &a),
+                        "Oak: these values are assumptions, not measurements: stem: shear "
+                        "modulus, density; crown: frontal area per leaf area");
+    assert_true(take(&a, &s, "a sentence that nobody has translated: %s", "x"));
+    assert_null(wf_tongue_say(zh, &s, &a));
+    assert_string_equal(wf_tongue_text(zh, "range assumed, a quarter"), "范围为假设，四分之一");
+    assert_string_equal(wf_tongue_text(zh, "not there"), "not there");
+    wf_tongue_close(zh), wf_tongue_close(en), wf_tongue_close(NULL);
+    wf_arena_free(&a);
+}
+
+static void catalogue(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "python3 tests/tongue.py formats", CODE_OK, { " 0 missing" } },
+        { "python3 tests/tongue.py notes", CODE_OK, { " 0 missing" } },
+    };
+    CHECK(rows);
+}
+
+/* Pages of every kind in Chinese; and the check finds English where it is. */
+static void pages(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "for c in 'assess models/cards/oak.yaml' 'analyze moso_bamboo --model moso_culm --wind 10,25 "
+          "--directions 8' "
+          "'analyze scots_pine --model scots_pine --soil mineral --wind 10,20' 'compare beech "
+          "willow_feng1999 --model "
+          "oak_20m --wind 15 --samples 0' 'fit models/field/sample_pull.yaml --no-rival' 'explain oak "
+          "--model culm --wind "
+          "8' 'wind kaimal --duration 30 --points 2' 'terrain --size 4 --relief 20' 'rain --staged "
+          "--duration 1.6' 'modes "
+          "oak --model culm --wind 10' 'fragility oak --model culm --samples 40' 'wind extremes --annual "
+          "docs/examples/annual.csv' 'shelter --model scots_pine --species scots_pine --slabs 3 --cells 8' "
+          "'wind rose "
+          "--file docs/examples/rose.csv' 'series oak --model culm --wind 8 --duration 2 --step 0.5 --keys 2 "
+          "--gust cosine --no-vtk'; "
+          "do n=$((n + 1)); $W $c --lang zh -q --no-pdf -o $T/$n 2>$T/said || cat $T/said; done; ls "
+          "$T/*/*.html | wc -l; "
+          "python3 tests/tongue.py pages $T/*/*.html",
+          CODE_OK,
+          { "15\n", " 0 missing" } },
+        { "$W explain oak --model culm --wind 8 --lang en -q --no-pdf -o $T/out; python3 tests/tongue.py "
+          "pages "
+          "$T/out/*.html",
+          CODE_RUN,
+          { "missing: " } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parts_are_what_printf_prints),
+        cmocka_unit_test(findings_keep_their_parts),
+        cmocka_unit_test(sentences),
+        cmocka_unit_test(catalogue),
+        cmocka_unit_test(pages),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
