@@ -404,7 +404,7 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
 {
     enum wf_status s = wf_assess_model(&c->options, c->species, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
-    c->request.search.bare = c->request.search.held = !c->options.reports;
+    c->request.search.bare = !c->options.reports;
     if (c->request.search.bare &&
         !WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
         c->request.solve.mesh_tolerance = 0.0;
