@@ -12,10 +12,11 @@ static struct wf_err err;
 
 static enum wf_status ask(const char *words, const char *species, struct wf_crown_size size, double *mass)
 {
-    const char *said = NULL;
+    const struct wf_crown_rule *rule = NULL;
+    const struct wf_crown_kind *kind = NULL;
     err = (struct wf_err){ WF_OK, "" };
-    enum wf_status s = wf_crown_rule_mass(words, species, &size, &arena, mass, &said, &err);
-    if (!s) assert_non_null(strstr(said, ":"));
+    enum wf_status s = wf_crown_rule_mass(words, species, &size, mass, &rule, &kind, &err);
+    if (!s) assert_true(rule && kind && !strncmp(words, rule->name, strlen(rule->name)));
     return s;
 }
 

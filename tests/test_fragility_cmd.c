@@ -31,6 +31,12 @@ static void prints_and_writes(void **state)
           CODE_OK,
           { "the tree is lost at about", "safety of the stem and root at 10 m/s",
             "anchorage,factor,rule,1,0.581" } },
+        /* diaphragms hold each sample's wall: the plain tube splits, the culm with them breaks */
+        { "for n in '' '--node-spacing 15cm'; do $W fragility moso_bamboo --model moso_culm --samples 40 $n "
+          "--no-report -o $T/f | grep 'how sure'; grep -A1 '\"splitting\"' $T/f/results.json; done",
+          CODE_OK,
+          { "\"samples\": 35", "lost at about 28 m/s mean", "\"samples\": 0",
+            "diaphragms, 0.15 m apart, are counted by judgement" } },
         /* a share of all samples at the highest wind: the ratio rises from 0 to 1 */
         { "$W fragility weeping_willow $M --samples 40 --no-report -q -o $T/f; sed -n '2p;$p' "
           "$T/f/tables/fragility.csv | cut -d, -f3",
@@ -99,6 +105,12 @@ static void refuses(void **state)
     static const struct row rows[] = {
         { "$W fragility moso_bamboo $M --samples 0 -o $T/f; ls $T", CODE_OK, { "without samples" } },
         { "$W fragility moso_bamboo $M --samples 19 -o $T/f", CODE_INPUT, { "20 to 4096" } },
+        { "$W fragility oak $M --node-spacing 15cm -o $T/f",
+          CODE_INPUT,
+          { "diaphragms are of culms; the stem of Oak is solid" } },
+        { "$W fragility moso_bamboo $M --node-spacing 0cm -o $T/f",
+          CODE_INPUT,
+          { "--node-spacing: 0cm is outside 1..500 cm" } },
         { "$W analyze moso_bamboo $RUN --samples 10; c=$?; ls $T; exit $c", CODE_INPUT, { "20 to 4096" } },
         { "$W analyze moso_bamboo $RUN --samples 5000", CODE_INPUT, { "--samples", "4096" } },
         { "$W analyze moso_bamboo $RUN --solver chain --samples 64",

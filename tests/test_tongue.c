@@ -99,6 +99,22 @@ static void catalogue(void **state)
     CHECK(rows);
 }
 
+/* The terminal, in the language of --lang; in English as before. */
+static void terminal(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W assess models/cards/oak.yaml --lang zh --no-report -o $T/out",
+          CODE_OK,
+          { "临界风速", "个样本的 90 % 介于", "以下取值为假设而非实测：主干：剪切模量",
+            "未评估：大枝、分叉与枝干结合处" } },
+        { "$W assess models/cards/oak.yaml",
+          CODE_OK,
+          { "critical wind: ", "these values are assumptions, not measurements: stem: shear_modulus" } },
+    };
+    CHECK(rows);
+}
+
 /* Pages of every kind in Chinese; and the check finds English where it is. */
 static void pages(void **state)
 {
@@ -138,6 +154,7 @@ int main(void)
         cmocka_unit_test(findings_keep_their_parts),
         cmocka_unit_test(sentences),
         cmocka_unit_test(catalogue),
+        cmocka_unit_test(terminal),
         cmocka_unit_test(pages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -158,9 +158,7 @@ const struct wf_option wf_analyze_options[] = {
          "also list the unions of branches from that thickness and forks by aspect ratio, the branch's "
          "diameter "
          "over that of the parent; their strength is not assessed"),
-    NUMBER("--node-spacing", node_spacing, "DISTANCE", LENGTH, "cm", 1, 500, NULL,
-           "longest distance between the nodes of a culm of bamboo: its diaphragms then hold the wall round, "
-           "by judgement [they are left out, on the safe side]"),
+    WF_NODE_SPACING_ROW(node_spacing),
     NUMBER("--corridor", corridor, "DISTANCE", LENGTH, "m", 0.01, 200, NULL,
            "distance of a corridor, as of a power line, from the base of the stem: also the wind in which a "
            "part of the tree reaches it"),

@@ -340,12 +340,15 @@ const struct wf_yaml_table *wf_args_study_table(struct wf_arena *a)
     return table;
 }
 
-/* What is printed from here on is in the units of the row --units, where the command has one. */
+/* What is printed from here on is in the units of the row --units and the language of --lang, where the
+ * command has them. */
 static void set_units(const struct wf_args *args)
 {
     for (size_t k = 0; args->option[k].name; k++)
         if (!strcmp(args->option[k].name, "--units") && args->text[k] && strcmp(args->text[k], "metric") != 0)
             wf_show_in(args->text[k]);
+        else if (!strcmp(args->option[k].name, "--lang") && args->text[k])
+            wf_show_language(args->text[k]);
 }
 
 /* ---- Command lines ---- */

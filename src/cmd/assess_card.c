@@ -461,8 +461,7 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
                             : read_scan(&c->options, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
     c->request.search.bare = !c->options.reports;
-    c->request.search.held = c->request.search.bare && card;
-    if (c->request.search.held &&
+    if (c->request.search.bare && card &&
         !WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
         c->request.solve.mesh_tolerance = 0.0;
         c->request.solve.tolerance = fmax(c->request.solve.tolerance, 1e-2); /* its square is left */

@@ -74,7 +74,7 @@ static enum wf_status take_direction(struct wf_analyze_work *run, struct wf_err 
     struct work *w = (struct work *)run;
     struct wf_analyze_request *q = &run->request;
     double worst = q->scenario.azimuth;
-    q->search.bare = q->search.held = !run->folder && !w->options.from;
+    q->search.bare = !run->folder && !w->options.from;
     if (w->options.from && put_fit(w, e)) return e->code;
     if (wf_assess_is_round(&run->model, &q->scenario) || q->scenario.site) return WF_OK;
     w->directions = WF_ASSESS_DIRECTIONS;

@@ -26,6 +26,7 @@ struct fragility_options {
     const char *output;
     size_t samples, seed, threads;
     double azimuth;                   /* [rad] */
+    double node_spacing;              /* [m]; NAN: not given */
     double search_to, root_stiffness; /* [m/s], [N m rad-1]; NAN: not given */
     struct wf_pages pages;
 };
@@ -41,6 +42,7 @@ static const struct wf_option options[] = {
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
     WF_ANCHORAGE_ROWS(anchorage),
+    WF_NODE_SPACING_ROW(node_spacing),
     WF_AZIMUTH_ROW(azimuth),
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, NULL,
            "highest wind that is searched; the law takes samples that are not lost up to it into account [60 "
@@ -71,6 +73,7 @@ static enum wf_status read_inputs(const struct fragility_options *o, struct wf_s
     const char *path;
     wf_scenario_default(scenario);
     scenario->azimuth = o->azimuth;
+    if (o->node_spacing > 0) scenario->node_spacing = o->node_spacing;
     scenario->winds_said = o->args.winds_said;
     scenario->wind_notes = o->args.wind_notes;
     enum wf_status s = wf_species_named(o->args.operand[0], a, sp, d, e);

@@ -106,7 +106,10 @@ static void print_finding(const struct wf_finding *f)
 {
     char line[2048];
     struct wf_arena a = { 0 };
-    const char *text = wf_finding_print(f, line, sizeof line),
+    struct wf_finding said = *f;
+    const char *own = wf_show_words(f->said, &a);
+    if (own) said.text = own;
+    const char *text = wf_finding_print(&said, line, sizeof line),
                *turned = wf_show_units() && f->severity != WF_ERROR
                              ? wf_page_units_turned(wf_show_units(), text, NULL, &a)
                              : NULL;

@@ -2,9 +2,11 @@
 /* Option rows: values from text into the command's options struct, and the text that explains a row. */
 #include "cmd/option.h"
 #include "base/num.h"
+#include "base/said.h"
 #include "base/text.h"
 #include "base/yaml.h"
 #include "out/page_units.h"
+#include "out/tongue.h"
 #include <assert.h>
 #include <math.h>
 #include <stdarg.h>
@@ -91,10 +93,53 @@ static char *message(const char *fmt, va_list list, char *end)
     return n >= 0 ? text : NULL;
 }
 
+/* The language of the terminal; NULL: English. */
+static struct wf_tongue *spoken;
+
+static void fall_silent(void)
+{
+    wf_tongue_close(spoken);
+    spoken = NULL;
+}
+
+void wf_show_language(const char *language)
+{
+    struct wf_err unsaid = { 0 };
+    if (spoken || !strcmp(language, "en") || wf_tongue_open(language, &spoken, &unsaid)) return;
+    (void)atexit(fall_silent);
+}
+
+char *wf_show_words(const struct wf_said *said, struct wf_arena *a)
+{
+    return spoken && said ? wf_tongue_say(spoken, said, a) : NULL;
+}
+
+/* A message in the language of the terminal. Returned: bytes, -1 where it has no translation. */
+static int show_words(FILE *to, const char *fmt, va_list list)
+{
+    struct wf_arena a = { 0 };
+    struct wf_said said;
+    bool whole = spoken && wf_said_take(&a, fmt, list, &said);
+    for (size_t k = 0; whole && k < said.n; k++) {
+        char *one = wf_arena_text(&a, said.arg[k]);
+        for (char *s = one; s && *s; s++)
+            if (*s == '\n') *s = ' '; /* line ends are those of the format */
+        whole = (said.arg[k] = one) != NULL;
+    }
+    char *text = whole ? wf_tongue_say(spoken, &said, &a) : NULL;
+    int n = text ? put(to, text, '\n') : -1;
+    wf_arena_free(&a);
+    return n;
+}
+
 int wf_show(FILE *to, const char *fmt, ...)
 {
     char end = '\0';
     va_list list, again;
+    va_start(list, fmt);
+    int spoke = show_words(to, fmt, list);
+    va_end(list);
+    if (spoke >= 0) return spoke;
     va_start(list, fmt);
     va_copy(again, list);
     char *text = message(fmt, list, &end);

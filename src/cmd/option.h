@@ -182,6 +182,11 @@ int wf_show(FILE *to, const char *fmt, ...) __attribute__((format(printf, 2, 3))
 void wf_show_in(const char *system);
 /* The system that is set; NULL: none. */
 const char *wf_show_units(void);
+/* Say what has a translation (out/tongue.h) in a language from now on: "zh"; "en" changes nothing. */
+void wf_show_language(const char *language);
+struct wf_said;
+/* A sentence by parts in the language that is set. Returned: NULL in English, without a translation or memory. */
+char *wf_show_words(const struct wf_said *said, struct wf_arena *a);
 /* Print a text of this program as it is, line ends included; it holds no names. */
 int wf_show_text(FILE *to, const char *text);
 #endif

@@ -73,6 +73,11 @@ bool wf_docx_row_wrong(const void *options, const struct wf_option *o, char *why
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
            "direction the wind blows towards, from +x towards +y")
 
+#define WF_NODE_SPACING_ROW(m)                                                                               \
+    NUMBER("--node-spacing", m, "DISTANCE", LENGTH, "cm", 1, 500, NULL,                                      \
+           "longest distance between the nodes of a culm of bamboo: its diaphragms then hold the wall "      \
+           "round, by judgement [they are left out, on the safe side]")
+
 /* How many samples an interval has; into members samples and seed. `f`: when they have no effect. */
 #define WF_SAMPLE_ROWS(f)                                                                                    \
     WHOLE("--samples", samples, 0, 4096, "256",                                                              \

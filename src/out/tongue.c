@@ -296,6 +296,8 @@ static const char *fill(const char *text, int width, struct wf_arena *a)
 static const char *sentence(const struct wf_tongue *t, const char *message, struct wf_arena *a)
 {
     if (t->english || found(t, message)) return wf_tongue_text(t, message);
+    if (!message[strcspn(message, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ")])
+        return message; /* arguments alone */
     size_t n = strlen(message), before = strspn(message, " \n"), behind = 0;
     while (behind < n - before && strchr(" \n", message[n - 1 - behind])) behind++;
     char *inner = wf_arena_print(a, "%.*s", (int)(n - before - behind), message + before);

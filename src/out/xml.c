@@ -8,13 +8,17 @@
 #include <libxslt/transform.h>
 #include <libxslt/xsltutils.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 static xmlNode *text_element(xmlNode *parent, const char *name, const char *text)
 {
     struct wf_arena a = { 0 };
-    const char *bare = wf_text_without_folders(text, &a), *allowed = bare ? wf_text_for_xml(bare, &a) : NULL;
+    /* what stands on the head of a page stays as it was typed */
+    bool typed = !strcmp(name, "title") || !strcmp((const char *)parent->name, "job");
+    const char *bare = typed ? text : wf_text_without_folders(text, &a),
+               *allowed = bare ? wf_text_for_xml(bare, &a) : NULL;
     xmlNode *node = allowed ? xmlNewTextChild(parent, NULL, BAD_CAST name, BAD_CAST allowed) : NULL;
     wf_arena_free(&a);
     return node;

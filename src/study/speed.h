@@ -80,7 +80,6 @@ struct wf_search {
     bool bare; /* of the stem alone the given winds, and the lowest in which it is lost: other criteria are
                   then WF_CRITICAL_UNSEARCHED; there are neither curves nor modes, nor columns of the given
                   winds */
-    bool held; /* the sway beyond the given winds is that in the strongest of them, which is faster */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;

@@ -128,8 +128,8 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
 static size_t pick_speeds(const struct wf_analysis *an, const double *given, size_t n, double *out)
 {
     const double shares[] = { 0.0, 0.2, 0.4, 0.7, 1.0 };
-    size_t k = 0, all = an->search.held ? 1 : WF_COUNT(shares); /* beyond the given winds damping is held */
-    for (size_t i = 0; i < all; i++) out[k++] = shares[i] * an->search.speed_max;
+    size_t k = 0;
+    for (size_t i = 0; i < WF_COUNT(shares); i++) out[k++] = shares[i] * an->search.speed_max;
     for (size_t i = 0; i < n && k < WF_PEAK_SWAYS; i++) {
         bool there = false;
         for (size_t j = 0; j < k; j++) there = there || fabs(out[j] - given[i]) < 0.02 * an->search.speed_max;
