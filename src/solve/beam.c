@@ -209,8 +209,7 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
     double worst = 0;
     for (size_t i = 0; i < t->n; i++) {
         double a[3], b[3], A[9], B[9], R[9], turn[3];
-        double kc = coarse->mesh.last[i] - coarse->mesh.first[i] + 1,
-               kf = fine->mesh.last[i] - fine->mesh.first[i] + 1;
+        double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i);
         double fall = pow(kf / kc, 4) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
         seen_from_base(coarse, i, a, A);
         seen_from_base(fine, i, b, B);
@@ -286,8 +285,7 @@ static double load_error(const struct wf_beam *coarse, const struct wf_beam *fin
 {
     double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
     for (size_t i = 0; i < fine->mesh.tree->n; i++) {
-        double kc = coarse->mesh.last[i] - coarse->mesh.first[i] + 1,
-               kf = fine->mesh.last[i] - fine->mesh.first[i] + 1, d[3];
+        double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i), d[3];
         for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
         share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, 1.3) - 1) : 0;
         sum += share[i];
@@ -304,7 +302,7 @@ static void choose_pieces(const struct wf_beam *b, const double *share, double t
     double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
     for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        int32_t now = b->mesh.last[i] - b->mesh.first[i] + 1;
+        int32_t now = wf_beam_pieces(&b->mesh, i);
         double want = pow(share[i] / target, 0.25);
         if (bear[i] > 0.1 * most) want = fmax(want, more);
         pieces[i] = (int32_t)fmin(fmax(ceil(now * want), now), 64.0 * now);
@@ -326,6 +324,16 @@ enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, s
     return WF_OK;
 }
 
+/* Is the turn of the tree's tip, whose thin end bends most, that of a finer mesh? */
+static bool tip_agrees(const struct wf_beam *coarse, const struct wf_beam *fine, size_t tip)
+{
+    double R[9], off[3], turn[3];
+    const double limit = 1e-3, *L = fine->pose[fine->mesh.last[tip]].L;
+    m3_mul_transposed(coarse->pose[coarse->mesh.last[tip]].L, L, R);
+    rotation_vector(R, off), rotation_vector(L, turn);
+    return wf_dot(off, off) <= limit * limit * wf_dot(turn, turn) + 1e-20;
+}
+
 bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
                          int32_t *pieces)
 {
@@ -338,8 +346,11 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
     double error = beam_mesh_error(coarse, fine, c->reach, c->share);
     double reactions = load_error(coarse, fine, c->before, c->load, c->bear);
     memcpy(c->before, c->load, 3 * t->n * sizeof *c->load);
-    if (error <= target && reactions <= allowed) return true;
+    const size_t tip = wf_tip_row(t);
+    bool turns = tip_agrees(coarse, fine, tip);
+    if (error <= target && reactions <= allowed && turns) return true;
     choose_pieces(fine, c->share, target / c->depth, c->bear, reactions / allowed, pieces);
+    if (!turns) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
     return false;
 }
 
@@ -421,7 +432,7 @@ enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, boo
                            ? WF_OK
                            : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     *meets = false;
-    for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * (b->mesh.last[i] - b->mesh.first[i] + 1);
+    for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * wf_beam_pieces(&b->mesh, i);
     if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
     if (!s) {
         wf_beam_carry(b, &fine);
@@ -434,7 +445,8 @@ enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, boo
             /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
             double error = 16 * beam_mesh_error(b, &fine, reach, share);
             double reactions = pow(2, 1.3) * load_error(b, &fine, load, load + 3 * t->n, share);
-            *meets = error <= tolerance * largest_displacement(&fine) && reactions <= tolerance;
+            *meets = error <= tolerance * largest_displacement(&fine) && reactions <= tolerance &&
+                     tip_agrees(b, &fine, wf_tip_row(t));
         }
     }
     wf_arena_free(&work);
@@ -518,7 +530,7 @@ static void plate_tilt(const struct wf_beam *b, size_t row, const double moment[
 /* The loads of the undeformed tree do not change in this solution: as dead loads they are computed once. */
 static void linear_hold_loads(struct wf_beam *b)
 {
-    enum { SOME = 32 }; /* elements at once, side by side */
+    enum { SOME = 32 };                    /* elements at once, side by side */
     if (b->loads.point_scale != 1) return; /* dead loads would be scaled by it again */
     for (size_t from = 0; from < b->mesh.n; from += SOME) {
         size_t n = b->mesh.n - from < SOME ? b->mesh.n - from : SOME;

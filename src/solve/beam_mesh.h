@@ -74,6 +74,12 @@ struct wf_beam_mesh {
                            a standing tree at rest has moved by nothing; NULL as `standing` */
 };
 
+/* Elements of a row. */
+static inline int32_t wf_beam_pieces(const struct wf_beam_mesh *m, size_t row)
+{
+    return m->last[row] - m->first[row] + 1;
+}
+
 /* Build the mesh. Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL =
  * 1 each). Returned: *out, in `arena`. Errors: WF_ENOMEM; WF_EINPUT naming a row that is not connected to
  * its parent's end. Method: the stiffness of an element is given by two moments of its compliance, so that

@@ -183,7 +183,7 @@ static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, co
     int32_t *pieces = WF_TAKE(&scratch, k->tree->n, int32_t);
     int32_t first = wf_beam_first_pieces(k->tree, &k->options);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
-    for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? mesh->last[i] - mesh->first[i] + 1 : first;
+    for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? wf_beam_pieces(mesh, i) : first;
     wf_arena_free(&k->work);
     k->rested = false;
     k->solutions = 1;
