@@ -212,6 +212,71 @@ static void hostile(void **state)
     CHECK(rows);
 }
 
+/* Rows with the file of a tree are assessed by it, others as without that column; a file that cannot be taken
+ * is a mistake of its row. */
+static void scans(void **state)
+{
+    (void)state;
+#define SCANS "id,species,height_m,girth_cm,crown_width_m,crown_base_m,scan\\n"
+#define TREES "mkdir $T/k; cp docs/examples/scan.csv $T/k/a.csv; cp models/oak_20m.yaml $T/k/m.yaml; "
+#define ASSESS "; $W assess $T/t.csv -q -o $T/o.csv" WIND "; echo \"code $?\"; cat $T/o.csv"
+    static const struct row rows[] = {
+        /* the critical wind is that of analyze; the row without a file keeps its bytes */
+        { TREES "printf '" SCANS "1,oak,14,106,6,9,\\n2,oak,14,106,6,9,k/a.csv\\n' >$T/t.csv; cut -d, -f1-6 "
+                "$T/t.csv >$T/u.csv; for k in t u; do $W assess $T/$k.csv -q -o $T/$k.out --azimuth 0" WIND
+                "; done; sed -n '2s/,,assessed/,assessed/p' $T/t.out >$T/1; sed -n 2p $T/u.out | cmp - $T/1 && echo as "
+                "before; $W analyze --tree $T/k/a.csv oak --crown-width 6m --crown-depth 5.17m --samples 0 -o $T/r -q "
+                "--no-report --azimuth 0" WIND " >$T/2 2>&1; c=$(python3 -c 'import json, sys; "
+                "print(json.load(open(sys.argv[1]))[\"trees\"][0][\"verdict\"][\"critical_speed\"][\"value\"])' "
+                "$T/r/results.json); sed -n '3s/\".*\"//p' $T/t.out | awk -F, -v c=$c '{ d = $16 / c - 1; print (d * d < "
+                "1e-8) ? \"agrees\" : \"differs \" $16 \" \" c }'",
+          CODE_OK,
+          { "as before\nagrees\n" } },
+        /* a model carries its own leaves; a scan none: its crown is the row's; what differs from it is said */
+        { TREES "printf '" SCANS "1,oak,,,,,k/m.yaml\\n2,oak,20,106,6,9,k/a.csv\\n3,oak,14,,,,k/a.csv\\n' >$T/t.csv"
+                ASSESS,
+          CODE_OK,
+          { "code 2\n", "assessed,\"by m.yaml in place of the card: 20 m high, 793 mm thick at 1.3 m\",lost,2.9",
+            "a.csv in place of the card: 14.17 m high, 338 mm thick at 1.3 m; the row says 20 m high\",lost,0.44",
+            "shows no leaves, and wood alone catches too little wind" } },
+        { TREES "printf '" SCANS "4,oak,,,6,15,k/a.csv\\n5,,14,106,6,9,k/a.csv\\n' >$T/t.csv" ASSESS,
+          CODE_OK,
+          { "code 2\n", "the crown base of 15 m is not below that", "mistake,species: is needed" } },
+        /* the same column in other languages; wood alone when the leaves have fallen */
+        { TREES "printf 'Baumart;Baumdatei;Saison\\noak;k/a.csv;leaf_off\\n' >$T/t.csv; for k in Scandatei "
+                "'fichier scan' \xE6\xA0\x91\xE6\xA8\xA1\xE5\x9E\x8B; do sed \"s/Baumdatei/$k/\" $T/t.csv >$T/u.csv; $W "
+                "assess $T/u.csv -q -o $T/o.csv" WIND "; sed -n 2p $T/o.csv; done | cut -c1-60 | uniq -c",
+          CODE_OK,
+          { "3 oak;k/a.csv;leaf_off;assessed;by a.csv in place" } },
+        /* a page a tree names its file; intervals */
+        { TREES "printf '" SCANS "2,oak,14,106,6,9,k/a.csv\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --samples 64 "
+                "--reports $T/r --no-pdf" WIND "; grep -c 'k/a.csv' $T/r/row_2/results.json; sed 's/\".*\"//' $T/o.csv | "
+                "awk -F, 'NR == 2 { print ($14 > 0 && $14 < $15) ? \"interval\" : \"none\" }'; ls $T/r/row_2",
+          CODE_OK,
+          { "interval\nplots\nreport.html\nresults.json\n" } },
+        /* out of the folder by name, by a link, in a model; what is no file; broken, missing, too large */
+        { TREES "ln -s /etc/passwd $T/k/l.csv; mkfifo $T/k/p.csv; echo hello >$T/k/b.csv; truncate -s 65M $T/k/g.csv; "
+                "printf 'cavities: [{at: 1 m, rays: ../x.csv}]' >$T/k/r.yaml; printf '\"r\\\\x61ys\": x' >$T/k/s.yaml; "
+                "(printf '" SCANS "'; for k in ../t.csv /etc/passwd k/../../x k/l.csv k k/p.csv k/b.csv k/n.csv k/g.csv "
+                "k/r.yaml k/s.yaml; do echo 1,oak,14,106,6,9,$k; done) >$T/t.csv; timeout 20 $W assess $T/t.csv -q -o "
+                "$T/o.csv" WIND "; echo code $?; for k in 'leads out' 'is no file' 'no known tree' 'No such file' 'larger "
+                "than 64' 'files of its own' mistake; do grep -c \"$k\" $T/o.csv; done | tr '\\n' ' '",
+          CODE_OK,
+          { "code 2\n4 2 1 1 1 2 11 " } },
+        /* another folder, and none without a use */
+        { TREES "mkdir $T/s; printf '" SCANS "1,oak,14,106,6,9,a.csv\\n2,oak,14,106,6,9,../t.csv\\n3,oak,14,106,6,9,"
+                "/etc/passwd\\n' >$T/s/t.csv; $W assess $T/s/t.csv --scans $T/k -q -o $T/o.csv" WIND "; cat $T/o.csv",
+          CODE_OK,
+          { "a.csv,assessed,", "'../t.csv': ", "'/etc/passwd': leads out of the folder of --scans" } },
+        { "$W assess docs/examples/cards.csv -o $T/o.csv --scans $T" WIND, CODE_INPUT, { "has no column that names files" } },
+        { "$W assess models/cards/oak.yaml --scans $T", CODE_INPUT, { "--scans: has no effect without a table" } },
+        { TREES "printf '" SCANS "1,oak,14,106,6,9,a.csv\\n' >$T/t.csv; $W assess $T/t.csv --scans $T/none -o $T/o.csv" WIND,
+          CODE_INPUT,
+          { "none: No such file" } },
+    };
+    CHECK(rows);
+}
+
 /* A run that was ended goes on, with the same bytes, also behind a row that was cut; another command does
  * not. */
 static void goes_on(void **state)
@@ -238,6 +303,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(rows), cmocka_unit_test(tables),
                                         cmocka_unit_test(reports), cmocka_unit_test(hostile),
-                                        cmocka_unit_test(goes_on) };
+                                        cmocka_unit_test(goes_on),
+                                        cmocka_unit_test(scans) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,11 +41,11 @@ static struct wf_card card_of(const struct wf_assess_options *o)
     return c;
 }
 
-/* Is the tree described elsewhere, by the rows of a table or by a fit? */
+/* Is the tree described elsewhere, by the rows of a table, a fit or a file of its own? */
 static bool elsewhere(const void *options)
 {
     const struct wf_assess_options *o = options;
-    return o->run.args.n > 0 || o->from;
+    return o->run.args.n > 0 || o->from || o->scan;
 }
 
 static bool wrong_value(const void *options, enum wf_card_value v, char *why)
@@ -105,8 +105,8 @@ static bool species_wrong(const void *options, const struct wf_option *row, char
     struct wf_diag unsaid = { .arena = &scratch };
     struct wf_err e = { WF_OK, "" };
     (void)row;
-    bool wrong =
-        (!name && !elsewhere(options)) || (name && wf_shipped("species", name, &scratch, &path, &unsaid, &e));
+    bool needed = !elsewhere(options) || ((const struct wf_assess_options *)options)->scan;
+    bool wrong = (!name && needed) || (name && wf_shipped("species", name, &scratch, &path, &unsaid, &e));
     (void)wf_option_unused(wrong, why, "%s",
                            name ? e.text : "is needed: a species table ('windfirm species list' shows them)");
     wf_arena_free(&scratch);
@@ -224,6 +224,12 @@ static bool reports_unused(const void *options, const struct wf_option *row, cha
                             "without a table; -o FOLDER is of a card");
 }
 
+static bool scans_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!((const struct wf_args *)options)->n, why, "without a table");
+}
+
 /* ---- The rows ---- */
 
 #define OPTIONS struct wf_assess_options
@@ -271,6 +277,10 @@ static const struct wf_option card_rows[] = {
     TEXT("--reports", reports, "FOLDER", NULL,
          "of a table: also results, tables, plots and pages of each tree, in a folder by the line of its row",
          .unused = reports_unused),
+    PATH("--scans", scans, "FOLDER", NULL,
+         "of a table: where the files of trees are that its column 'scan' names; none outside is opened [the "
+         "table's folder]",
+         .unused = scans_unused),
     PATH("--from", from, "FOLDER", NULL,
          "in place of a card: the tree of a pulling test, a results folder of 'windfirm fit'"),
     TEXTS(
@@ -375,6 +385,50 @@ struct wf_assess_often wf_assess_often_of(const struct wf_assess_options *o)
 
 /* ---- One tree apart ---- */
 
+/* The crown in leaf, as it was measured, onto a tree whose file shows no leaves: its wood alone would catch
+ * far too little wind. */
+static enum wf_status put_crown(const struct wf_assess_options *o, struct wf_model *m, struct wf_err *e)
+{
+    const struct wf_tree_asked *t = &o->run.tree;
+    struct wf_silhouette *s = &m->silhouette;
+    double depth = isnan(t->crown.depth) ? m->height - o->crown_base : t->crown.depth;
+    if (m->season == WF_LEAF_OFF || m->leaf_area > 0 || wf_silhouette_area(s) > 0) return WF_OK;
+    if (o->crown_base >= m->height)
+        return wf_fail(e, WF_EINPUT,
+                       "%s: the tree is %.4g m high; the crown base of %.4g m is not below that", o->scan,
+                       m->height, o->crown_base);
+    if (t->crown.area > 0)
+        s->area = t->crown.area;
+    else if (t->crown.width > 0 && depth > 0)
+        s->width = t->crown.width, s->depth = depth, s->form = form_of(t->crown_form);
+    else
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s shows no leaves, and wood alone catches too little wind: a crown width with its base "
+            "or depth is needed, or a frontal area, or the season leaf_off",
+            o->scan);
+    return wf_silhouette_check(s, e);
+}
+
+bool wf_assess_is_yaml(const char *scan)
+{
+    const char *ending = strrchr(scan, '.');
+    return ending && (!strcmp(ending, ".yaml") || !strcmp(ending, ".yml"));
+}
+
+/* The tree of a file in place of the card. */
+static enum wf_status read_scan(const struct wf_assess_options *o, struct wf_arena *a, struct wf_model *out,
+                                struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_tree_asked t = o->run.tree;
+    const char *path;
+    *(wf_assess_is_yaml(o->scan) ? &t.model : &t.file) = o->scan;
+    t.crown.width = t.crown.depth = t.crown.area = NAN, t.crown_form = NULL;
+    enum wf_status s = wf_tree_asked_read(&t, NULL, a, out, &path, d, e);
+    if (!s && o->name) out->name = o->name;
+    return s ? s : put_crown(o, out, e);
+}
+
 static enum wf_status change_model(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_assess_options *o = &c->options;
@@ -390,7 +444,7 @@ static enum wf_status change_roots(struct wf_assess_case *c, struct wf_arena *a,
     struct wf_anchorage_request *q = WF_TAKE(a, 1, struct wf_anchorage_request);
     if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
     if (c->request.scenario.anchorage) *q = *c->request.scenario.anchorage;
-    q->grown = c->options.height;
+    if (!c->options.scan) q->grown = c->options.height;
     if (c->options.root_loss) {
         (void)read_root_loss(c->options.root_loss, q);
         q->lost_middle = wf_wind_azimuth(q->lost_middle + WF_PI, c->request.directions.north);
@@ -402,15 +456,17 @@ static enum wf_status change_roots(struct wf_assess_case *c, struct wf_arena *a,
 enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_err *e)
 {
-    enum wf_status s = wf_assess_model(&c->options, c->species, a, &c->model, d, e);
+    bool card = !c->options.scan;
+    enum wf_status s = card ? wf_assess_model(&c->options, c->species, a, &c->model, d, e)
+                            : read_scan(&c->options, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
     c->request.search.bare = !c->options.reports;
-    if (c->request.search.bare &&
+    if (c->request.search.bare && card &&
         !WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
         c->request.solve.mesh_tolerance = 0.0;
         c->request.solve.tolerance = fmax(c->request.solve.tolerance, 1e-2); /* its square is left */
     }
-    if (!s) s = change_model(c, a, e);
+    if (!s && card) s = change_model(c, a, e);
     return s ? s : change_roots(c, a, e);
 }
 

@@ -18,6 +18,8 @@ struct wf_assess_options {
     bool leaf_off;
     const char *scenarios, *from; /* NULL: none */
     const char *reports;          /* folder, of a table; NULL: none */
+    const char *scans;            /* folder of the files that a table names; NULL: that of the table */
+    const char *scan;             /* file of the tree in place of the card, of a row; NULL: none; no option */
     const char *extremes;         /* folder or file; NULL: none */
     double life;                  /* [years] */
     struct wf_assess_often often; /* of `extremes`; no option */
@@ -34,6 +36,9 @@ bool wf_assess_changes(const struct wf_option *row);
 enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct wf_species *sp,
                                struct wf_arena *a, struct wf_model *out, struct wf_diag *d, struct wf_err *e);
 
+/* Is a file YAML, by its name: a card, or in place of one a model? Else it is a table, or a measured tree. */
+bool wf_assess_is_yaml(const char *scan);
+
 /* How often winds blow, by the options. */
 struct wf_assess_often wf_assess_often_of(const struct wf_assess_options *o);
 
@@ -48,7 +53,9 @@ struct wf_assess_case {
     struct wf_assessment x;
     struct wf_assess_direction around[WF_ASSESS_DIRECTIONS]; /* of x, where directions differ */
 };
-/* Given: options and species. Returned: model and request, of a bare analysis unless there are reports.
+/* Given: options and species. Returned: model and request, of a bare analysis unless there are reports. The
+ * model is that of the file of `scan` where there is one: of the card the crown alone is taken, and that only
+ * in leaf where the file shows no leaves.
  * Errors: as wf_assess_model. */
 enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_err *e);

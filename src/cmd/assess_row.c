@@ -2,6 +2,7 @@
 #include "cmd/assess_row.h"
 #include "base/column.h"
 #include "base/csv.h"
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
@@ -12,9 +13,11 @@
 #include "out/verdict_part.h"
 #include "study/verdict.h"
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* ---- The columns ---- */
 
@@ -52,6 +55,11 @@ static const struct known {
     { "--stand-height", "top_height oberhöhe oberhoehe hauteur_dominante 优势高", true },
     { "--edge-distance", "distance_to_edge randabstand distance_lisière 林缘距离", true },
     { "--gap", "gap_length lücke trouée 林窗", true },
+    { "--scans",
+      "scan scan_file tree_file qsm qsm_file tree_model model_file scandatei baumdatei baummodell "
+      "fichier_scan "
+      "fichier_arbre modèle_arbre modele_arbre 扫描 扫描文件 树模型 模型文件",
+      false },
 };
 
 enum { SPECIES_KEPT = 256 };
@@ -71,6 +79,8 @@ struct wf_tree_columns {
     const struct known **as;
     double *factor; /* by column: to SI; NAN: the option's own unit */
     bool stands;    /* there is a column of the spacing */
+    size_t scan;    /* column of the files of trees; NONE */
+    char *root;     /* of it: the folder that they lie in, links resolved */
     size_t kept;
     struct kept_species keep[SPECIES_KEPT];
 };
@@ -129,6 +139,7 @@ static void recognise(struct wf_tree_columns *c, const char *name, size_t at)
         c->option[at] = row, c->as[at] = &known[k];
         if (unit && !is_called(&known[k], whole)) c->factor[at] = factor;
         c->stands = c->stands || !strcmp(known[k].option, "--spacing");
+        if (!strcmp(known[k].option, "--scans")) c->scan = at;
         return;
     }
 }
@@ -257,7 +268,96 @@ void wf_tree_row_write(const struct wf_tree_columns *c, const struct wf_tree_row
     fputc('\n', to);
 }
 
+/* ---- Files of trees ---- */
+
+enum { SCAN_MOST = 64 << 20 }; /* largest file of a tree [bytes] */
+
+/* The name of a cell from the folder of the files. */
+static const char *scan_named(const struct wf_tree_columns *c, const char *cell, struct wf_arena *a)
+{
+    const char *folder = c->line->scans, *table = c->rows->file, *slash = strrchr(table, '/');
+    if (*cell == '/') return wf_arena_text(a, cell);
+    if (folder) return wf_arena_print(a, "%s/%s", folder, cell);
+    return wf_arena_print(a, "%.*s%s", slash ? (int)(slash - table + 1) : 0, table, cell);
+}
+
+static bool climbs(const char *cell)
+{
+    for (const char *at = cell; at; at = strchr(at, '/'), at += at != NULL)
+        if (!strncmp(at, "..", 2) && (at[2] == '/' || !at[2])) return true;
+    return *cell == '/';
+}
+
+static bool lies_in(const char *root, const char *path)
+{
+    size_t n = strlen(root);
+    if (n && root[n - 1] == '/') n--;
+    return !strncmp(root, path, n) && path[n] == '/';
+}
+
+/* May a model name files of its own? A backslash in a YAML text can hide any word. */
+static bool names_more(const char *model, struct wf_arena *a)
+{
+    struct wf_bytes text;
+    struct wf_err unsaid = { WF_OK, "" };
+    return !wf_file_read_text(model, a, &text, &unsaid) &&
+           (strstr(text.data, "rays") || strchr(text.data, '\\'));
+}
+
+/* What is wrong with the file of a cell; NULL: nothing. */
+static const char *scan_fault(const struct wf_tree_columns *c, const char *cell, const char *path,
+                              struct wf_arena *a)
+{
+    struct stat there;
+    const char *out = "leads out of the folder of the table; --scans names another folder", *fault = NULL;
+    if (c->line->scans) out = "leads out of the folder of --scans";
+    if (!c->line->scans && climbs(cell)) return out;
+    char *found = realpath(path, NULL);
+    if (!found) return strerror(errno);
+    if (!lies_in(c->root, found))
+        fault = out;
+    else if (stat(found, &there))
+        fault = strerror(errno);
+    else if (!S_ISREG(there.st_mode))
+        fault = "is no file";
+    else if (there.st_size > SCAN_MOST)
+        fault = "is larger than 64 MB";
+    else if (wf_assess_is_yaml(path) && names_more(path, a))
+        fault =
+            "may name files of its own (rays), or has a backslash: a model that a table names has neither";
+    free(found);
+    return fault;
+}
+
+/* The file that a row names in place of its card. Returned: *out, NULL where there is none. */
+static enum wf_status take_scan(const struct wf_tree_columns *c, const struct wf_rows *r,
+                                struct wf_tree_row *row, const char **out, struct wf_err *e)
+{
+    *out = NULL;
+    if (c->scan == NONE || c->scan >= r->cells) return WF_OK;
+    const char *cell = r->cell[c->scan];
+    if (wf_csv_missing(cell, strlen(cell))) return WF_OK;
+    if (!(*out = scan_named(c, cell, &row->arena)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
+    const char *fault = scan_fault(c, cell, *out, &row->arena);
+    if (fault) row->reason = wf_arena_print(&row->arena, "%s: '%.60s': %s", r->name[c->scan], cell, fault);
+    return WF_OK;
+}
+
 /* ---- Opening ---- */
+
+static enum wf_status open_root(struct wf_tree_columns *c, struct wf_err *e)
+{
+    const char *folder = c->line->scans;
+    if (c->scan == NONE && folder)
+        return wf_fail(e, WF_EUSAGE, "--scans: %s has no column that names files of trees, such as 'scan'",
+                       c->rows->file);
+    if (c->scan == NONE) return WF_OK;
+    if (!folder) folder = scan_named(c, ".", &c->arena);
+    if (!folder) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    if ((c->root = realpath(folder, NULL))) return WF_OK;
+    return wf_fail(e, WF_EINPUT, "%s: %s", folder, strerror(errno));
+}
 
 static enum wf_status refuse_doubles(const struct wf_tree_columns *c, const struct wf_rows *r,
                                      struct wf_err *e)
@@ -282,16 +382,18 @@ enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct w
 {
     struct wf_tree_columns *c = *out = calloc(1, sizeof *c);
     if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
-    c->rows = r, c->line = line;
+    c->rows = r, c->line = line, c->scan = NONE;
     c->of_rows = line->run.args;
     c->of_rows.given[row_of(line->run.args.option, "--reports")] = false;
+    c->of_rows.given[row_of(line->run.args.option, "--scans")] = false;
     c->option = WF_TAKE(&c->arena, r->columns, size_t);
     c->as = WF_TAKE(&c->arena, r->columns, const struct known *);
     c->factor = WF_TAKE(&c->arena, r->columns, double);
     if (!c->option || !c->as || !c->factor) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     enum wf_status s = wf_units_open(&c->units, e);
     for (size_t k = 0; k < r->columns && !s; k++) recognise(c, r->name[k], k);
-    return s ? s : refuse_doubles(c, r, e);
+    if (!s) s = refuse_doubles(c, r, e);
+    return s ? s : open_root(c, e);
 }
 
 void wf_tree_columns_close(struct wf_tree_columns *c)
@@ -299,6 +401,7 @@ void wf_tree_columns_close(struct wf_tree_columns *c)
     if (!c) return;
     wf_units_close(c->units);
     wf_arena_free(&c->arena);
+    free(c->root);
     free(c);
 }
 
@@ -351,7 +454,7 @@ static enum wf_status read_options(const struct wf_tree_columns *c, const struct
     const char *cell[WF_COUNT(known) + 1];
     struct wf_sink sink;
     for (size_t k = 0; k < r->cells && k < r->columns; k++) {
-        if (c->option[k] == NONE || (c->as[k]->stand && !stand)) continue;
+        if (c->option[k] == NONE || k == c->scan || (c->as[k]->stand && !stand)) continue;
         option[n] = c->option[k];
         if (!(cell[n++] = value_of(c, k, r->cell[k], &row->arena)))
             return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
@@ -361,12 +464,15 @@ static enum wf_status read_options(const struct wf_tree_columns *c, const struct
     }
     if (stand) option[n] = row_of(c->line->run.args.option, "--peak"), cell[n++] = "gales";
     *out = *c->line; /* what is no option */
+    enum wf_status s = take_scan(c, r, row, &out->scan, e);
+    if (s) return s;
     bool right = wf_args_read_cells(&c->of_rows, "assess", option, cell, n, c->units, &row->arena,
                                     &out->run.args, &sink);
     if (!right && !row->reason) row->reason = wf_arena_text(&row->arena, sink.text);
     if (!WF_GIVEN(&c->line->run, samples)) out->run.samples = 0;
     out->run.threads = 1;
     out->reports = c->line->reports;
+    out->scans = c->line->scans;
     return WF_OK;
 }
 
@@ -483,6 +589,24 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
 
 /* ---- Assessing it ---- */
 
+/* Of a tree of a file: what was taken, so that a wrong file is seen. */
+static void note_scan(struct wf_tree_row *row)
+{
+    const struct wf_assess_options *o = &row->single.options;
+    const struct wf_tree *t = &row->single.an.tree;
+    const double off = 0.15; /* of height or thickness [-] */
+    struct wf_breast b = wf_tree_breast(t);
+    double height = wf_tree_height(t), said = isnan(o->dbh) ? o->girth / WF_PI : o->dbh;
+    const char *differs = "", *name = strrchr(o->scan, '/');
+    if (fabs(o->height / height - 1) > off)
+        differs = wf_arena_print(&row->arena, "; the row says %.4g m high", o->height);
+    if (differs && fabs(said / b.diameter - 1) > off)
+        differs = wf_arena_print(&row->arena, "%s; the row says %.0f mm thick", differs, 1e3 * said);
+    row->reason =
+        wf_arena_print(&row->arena, "by %s in place of the card: %.4g m high, %.0f mm thick at 1.3 m%s",
+                       name ? name + 1 : o->scan, height, 1e3 * b.diameter, differs ? differs : "");
+}
+
 void wf_tree_row_assess(struct wf_tree_row *row)
 {
     struct wf_err why = { WF_OK, "" };
@@ -490,5 +614,8 @@ void wf_tree_row_assess(struct wf_tree_row *row)
     enum wf_status s = wf_assess_case_run(&row->single, &row->arena, &row->diag, &why);
     if (!s && row->in_stand) s = wf_assess_case_run(&row->stand, &row->arena, &row->diag, &why);
     row->state = s ? WF_ROW_FAILED : WF_ROW_DONE;
-    if (s) take_reason(row, &why);
+    if (s)
+        take_reason(row, &why);
+    else if (row->single.options.scan)
+        note_scan(row);
 }

@@ -23,7 +23,7 @@
 #include <malloc.h>
 #endif
 
-enum { BATCH = 64 };
+enum { BATCH = 64, SCANS = 8 }; /* rows at a time; of them trees of files, which are larger */
 
 struct table {
     struct wf_assess_options *line;
@@ -153,17 +153,20 @@ static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
     struct wf_tree_row *row = &t->row[k];
     const struct wf_pages *pages = &t->line->run.pages;
     struct wf_run_folder folder = { 0 };
+    struct wf_input_file input[2] = { t->input };
+    const char *scan = row->single.options.scan;
     struct wf_run run = { .command = t->command,
                           .version = WF_VERSION,
                           .date = wf_run_date(&row->arena),
                           .n = 1,
                           .analysis = &row->single.an,
-                          .inputs = 1,
-                          .input = &t->input };
+                          .inputs = scan ? 2 : 1,
+                          .input = input };
     char *path = wf_arena_print(&row->arena, "%s/row_%zu", t->line->reports, row->line);
     if (!path || !run.date) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
     row->single.an.assessment = &row->single.x;
-    enum wf_status s = wf_results_begin(&folder, path, pages->none ? NULL : "report", e);
+    enum wf_status s = scan ? wf_input_file_note("model", scan, &row->arena, &input[1], e) : WF_OK;
+    if (!s) s = wf_results_begin(&folder, path, pages->none ? NULL : "report", e);
     if (!s) s = wf_results_write(&run, folder.stage, e);
     if (!s) return wf_press_put(&t->press, &folder, k, pages, &row->arena, e);
     wf_run_abandon(&folder);
@@ -201,9 +204,11 @@ static void count_formulas(struct table *t)
 static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
 {
     enum wf_status s = WF_OK;
-    for (*n = 0; *n < BATCH && !s && wf_rows_next(&t->rows);) {
+    size_t scans = 0;
+    for (*n = 0; *n < BATCH && scans < SCANS && !s && wf_rows_next(&t->rows);) {
         count_formulas(t);
-        s = wf_tree_row_read(t->columns, &t->rows, &t->row[(*n)++], e);
+        s = wf_tree_row_read(t->columns, &t->rows, &t->row[*n], e);
+        scans += t->row[(*n)++].single.options.scan != NULL;
     }
     if (!s) s = wf_parallel(*n, t->line->run.threads, assess, t, e);
     size_t good = s ? 0 : *n;

@@ -127,8 +127,8 @@ int wf_cmd_assess(int argc, char **argv)
     int code = wf_args_read(argc, argv, wf_assess_options_of(&w.options), about, 0, 1, &run->arena,
                             &w.options.run.args);
     if (code < 0 && w.options.run.args.n) {
-        const char *table = w.options.run.args.operand[0], *ending = strrchr(table, '.');
-        if (ending && (!strcmp(ending, ".yaml") || !strcmp(ending, ".yml"))) {
+        const char *table = w.options.run.args.operand[0];
+        if (wf_assess_is_yaml(table)) {
             wf_show(stderr, "windfirm assess: %s: a card begins with 'card:' and the name of the tree\n",
                     table);
             code = 2;
