@@ -41,7 +41,9 @@
     </td>
     <xsl:call-template name="steady-cell">
       <xsl:with-param name="x" select="winds/item[last()]/tip_deflection/value"/>
-      <xsl:with-param name="pattern">0.00</xsl:with-param>
+      <xsl:with-param name="pattern"><xsl:choose>
+        <xsl:when test="winds/item[last()]/tip_deflection/value &gt;= 10">0.0</xsl:when><xsl:otherwise>0.00</xsl:otherwise>
+      </xsl:choose></xsl:with-param>
     </xsl:call-template>
     <!-- 0: without wind -->
     <xsl:variable name="lost"><xsl:choose>

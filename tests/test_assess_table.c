@@ -143,6 +143,13 @@ static void reports(void **state)
           "'Verdict: lost' row_3/report.html; grep -c '\"word\"' row_5/results.json",
           CODE_OK,
           { "2\nrow_3\nrow_5\n", "report.html\nresults.json\ntables\n1\n1\n" } },
+        /* which tree, for whom: the number of the row, else the line; a number that is none of a tree's */
+        { "printf 'Baum-Nr,species,height_m,girth_cm,crown_width_m,crown_base_m\n17 <b>,oak,20,250,14,4\n,ash,18,150,9,3\n"
+          "\"a\tb\",oak,20,250,14,4\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --client Town --reports $T/r --no-pdf "
+          "--samples 0 --lang zh" WIND "; cd $T/r; grep -ho '\"\\(tree_number\\|client\\)\": \"[^\"]*\"' row_*/results.json; "
+          "grep -c '17 &lt;b&gt;' row_2/report.html; grep -c 'm high' row_2/report.html; grep -c '高 20 m，胸径 79.6 cm' row_2/report.html",
+          CODE_OK,
+          { "\"Town\"", "\"17 <b>\"", "\"t.csv:3\"", "\"t.csv:4\"\n1\n0\n" } },
         /* printed side by side, each in its folder, whole and listed */
         { "command -v weasyprint >/dev/null && command -v pdfinfo >/dev/null || { echo 5 pages each; exit 0; }; "
           "printf '" HEAD "1,oak,20,250,14,4,\\n2,ash,18,150,9,3,\\n3,beech,20,250,14,4,\\n4,oka,1,1,1,1,\\n5,lime,19,200,10,4,\\n"

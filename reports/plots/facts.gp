@@ -31,4 +31,6 @@ set datafile separator comma
 # A label; a word that has none stands for itself.
 L(k) = (FACTS_R = (sum [FACTS_J=1:|WORD_KEY|] (WORD_KEY[FACTS_J] eq k ? FACTS_J : 0)), FACTS_R > 0 ? WORD[FACTS_R] : k)
 # "name (unit)", or the name alone
-with_unit(name, unit) = strlen(unit) ? name.' ('.unit.')' : name
+with_unit(name, unit) = strlen(unit) ? name.' ['.unit_said(unit).']' : name
+# a unit as it is written, of one as it is typed
+unit_said(unit) = unit eq 'um/m' ? 'µm/m' : unit eq 'deg' ? '°' : unit

@@ -551,6 +551,25 @@ static const char *text_of(const struct wf_rows *r, struct wf_tree_row *row)
     return kept;
 }
 
+/* Columns that say which tree a row is; they are only kept, and stand on the page of the tree. */
+static const char numbers[] =
+    "number tree_number tree_no no nr id tree_id baumnummer baumnr baum_nr numéro numero 编号 树号 树木编号";
+
+static const char *number_of(const struct wf_rows *r, struct wf_arena *a)
+{
+    enum { LONGEST = 80 };
+    char name[120];
+    for (size_t k = 0; k < r->cells && k < r->columns; k++) {
+        plain_name(r->name[k], strlen(r->name[k]), name, sizeof name);
+        const char *cell = r->cell[k];
+        if (!among(numbers, name) || wf_csv_missing(cell, strlen(cell)) || strlen(cell) > LONGEST) continue;
+        const char *at = cell;
+        while ((unsigned char)*at >= ' ') at++;
+        if (!*at) return wf_arena_text(a, cell);
+    }
+    return NULL;
+}
+
 static const char *row_fault(const struct wf_rows *r, struct wf_arena *a)
 {
     const char *rest = "";
@@ -574,6 +593,7 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
     out->state = WF_ROW_MISTAKE;
     out->text = text_of(r, out);
     out->reason = row_fault(r, &out->arena);
+    out->number = number_of(r, &out->arena);
     if (!out->text) return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
     if (out->reason) return WF_OK;
     enum wf_status s = read_options(c, r, false, out, &out->single.options, e);

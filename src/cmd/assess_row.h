@@ -22,6 +22,7 @@ struct wf_tree_row {
     const char *text;   /* the row as it is to be written, in the columns of the table */
     const char *reason; /* NULL: none */
     size_t line;        /* of the table, 1-based */
+    const char *number; /* of the tree, as its cell has it; NULL: there is none */
     struct wf_diag diag;
     struct wf_assess_case single, stand; /* as given; as a tree of a stand, where its spacing is a cell */
     bool in_stand;

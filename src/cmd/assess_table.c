@@ -147,6 +147,14 @@ static void count(struct table *t, const struct wf_tree_row *r)
     t->failed += r->state == WF_ROW_FAILED;
 }
 
+/* Which tree the page of a row is of: its number, or file and line of the table. NULL: no memory. */
+static const char *tree_said(const struct table *t, struct wf_tree_row *row)
+{
+    const char *file = t->input.path, *name = strrchr(file, '/');
+    if (row->number) return row->number;
+    return wf_arena_print(&row->arena, "%s:%zu", name ? name + 1 : file, row->line);
+}
+
 /* Results and pages of a row that was assessed. */
 static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
 {
@@ -155,7 +163,11 @@ static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
     struct wf_run_folder folder = { 0 };
     struct wf_input_file input[2] = { t->input };
     const char *scan = row->single.options.scan;
-    struct wf_run run = { .command = t->command,
+    struct wf_job job = t->line->run.job;
+    job.tree_number = tree_said(t, row);
+    job.photo = NULL, job.logo = NULL;
+    struct wf_run run = { .job = &job,
+                          .command = t->command,
                           .version = WF_VERSION,
                           .date = wf_run_date(&row->arena),
                           .n = 1,
@@ -163,7 +175,8 @@ static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
                           .inputs = scan ? 2 : 1,
                           .input = input };
     char *path = wf_arena_print(&row->arena, "%s/row_%zu", t->line->reports, row->line);
-    if (!path || !run.date) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
+    if (!path || !run.date || !job.tree_number)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
     row->single.an.assessment = &row->single.x;
     enum wf_status s = scan ? wf_input_file_note("model", scan, &row->arena, &input[1], e) : WF_OK;
     if (!s) s = wf_results_begin(&folder, path, pages->none ? NULL : "report", e);

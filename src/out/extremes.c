@@ -7,7 +7,14 @@
 
 const char *wf_extremes_share(double p, char text[static 32])
 {
-    (void)snprintf(text, 32, p < 1e-6 ? "< 1e-6" : p > 0.999 ? "> 0.999" : "%.2g", p);
+    /* two figures, without a power of ten; a chance that is not certain is no 1 */
+    const char *form = p < 1e-6      ? "< 1e-6"
+                       : p > 0.999   ? "> 0.999"
+                       : p < 9.95e-6 ? "%.7f"
+                       : p < 1e-4    ? "%.6f"
+                       : p < 0.995   ? "%.2g"
+                                     : "%.3f";
+    (void)snprintf(text, 32, form, p);
     return text;
 }
 
