@@ -77,7 +77,8 @@
       <xsl:when test="outcome = 'above'">
         <td class="r">
           <xsl:text>&gt;&#160;</xsl:text>
-          <xsl:call-template name="given"><xsl:with-param name="x" select="../../critical/speed_high/value"/></xsl:call-template>
+          <xsl:call-template name="given"><xsl:with-param name="x"
+            select="(../../critical_stem | ../../self::*[not(critical_stem)]/critical)/speed_high/value"/></xsl:call-template>
         </td>
         <td class="r">–</td>
       </xsl:when>

@@ -213,7 +213,19 @@
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.height</xsl:with-param>
       <xsl:with-param name="text">
-        <xsl:call-template name="metres"><xsl:with-param name="x" select="height/value"/></xsl:call-template>
+        <!-- of the tree with its branches; that of the stem, from which it grew, may be another -->
+        <xsl:variable name="tree" select="../height/value"/>
+        <xsl:variable name="apart" select="$tree &gt; 1.01 * height/value or $tree &lt; 0.99 * height/value"/>
+        <xsl:call-template name="metres">
+          <xsl:with-param name="x" select="$tree[$apart] | height/value[not($apart)]"/>
+        </xsl:call-template>
+        <xsl:if test="$apart">
+          <xsl:call-template name="say"><xsl:with-param name="id">in.height.stem</xsl:with-param>
+            <xsl:with-param name="a">
+              <xsl:call-template name="metres"><xsl:with-param name="x" select="height/value"/></xsl:call-template>
+            </xsl:with-param>
+          </xsl:call-template>
+        </xsl:if>
       </xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="block-row">

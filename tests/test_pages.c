@@ -53,6 +53,13 @@ static void what_governs_is_said(void **state)
           "splitting  ' | tr -s ' '",
           CODE_OK,
           { "2\n2\n16\n16\n", " splitting 0.74 1 ", " governs" } },
+        /* a tree whose branches stand above its stem and break before it: each figure says whose it is */
+        { "for l in en zh; do $W analyze oak --model broadleaf --wind 10,20 --samples 0 --no-pdf --lang $l -o $T/a -q; "
+          "sed 's/<[^>]*>/ /g; s/&nbsp;/ /g' $T/a/report.html | tr -s '\\n ' ' ' | grep -oE 'the top of its stem moves|"
+          "Height 11.5 m; of the model.s stem 10 m|Bending \\(breakage\\) [0-9.]+ 1.0 .{0,8}60 |树高 11.5 m；模型主干长 10 m' "
+          "| sort -u; done",
+          CODE_OK,
+          { "Bending (breakage) 5.59 1.0 ", "Height 11.5 m; of", "the top of its stem moves\n", "树高 11.5 m；模型主干长 10 m\n" } },
         { "for l in en zh; do $W analyze moso_bamboo --model moso_culm --wind 10,25 --corridor 8m "
           "--tip-angle-limit 45 "
           "--samples 0 --no-pdf --lang $l -o $T/a -q; sed 's/<tr/\\n<tr/g; s/<[^>]*>/ /g' $T/a/report.html | "
