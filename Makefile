@@ -77,14 +77,16 @@ $(call obj,$(SHARED)): ALL += -DWF_SHARE='"$(SHARE)"'
 $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(if $(FUZZ),,$(SANF)) $(CFLAGS) -c $< -o $@
-# the numeric kernels are small fixed-size loops: unroll and vectorise them
+# the numeric kernels are small fixed-size loops: unroll and vectorise them; sanitizers' checks in each would take the
+# compiler a quarter of an hour
+FAST   := $(if $(SAN)$(FUZZ),-O1,-O3)
 KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c src/wind/fourier.c
-$(call obj,$(KERNELS)): CFLAGS += -O3
+$(call obj,$(KERNELS)): CFLAGS += $(FAST)
 # Vector instructions in these two objects alone, which run where the processor has them (solve/beam_many.c). Elsewhere
 # than on x86-64 the compiler divides the vectors among what the processor has.
 WIDE    = $(if $(filter 4,$(WIDTH)),-mavx2,-mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
 X86    := $(findstring x86_64,$(shell $(CC) -dumpmachine))
-$(LANES): CFLAGS += -O3 -fno-math-errno -DWF_WIDTH=$(WIDTH) $(if $(X86),$(WIDE),-Wno-psabi)
+$(LANES): CFLAGS += $(FAST) -fno-math-errno -DWF_WIDTH=$(WIDTH) $(if $(X86),$(WIDE),-Wno-psabi)
 $(filter %_4.o,$(LANES)): WIDTH = 4
 $(filter %_8.o,$(LANES)): WIDTH = 8
 $(filter %/beam_lanes_4.o %/beam_lanes_8.o,$(LANES)): src/solve/beam_lanes.c
