@@ -306,6 +306,19 @@ static void from_fit(void **state)
           "--from $T/f --wind 8",
           CODE_INPUT,
           { "s.yaml has changed since it was fitted" } },
+        /* a record of wind and tilt, made up from 300 kN m/rad: stiffness and verdict, no strength straight from it */
+        { "cp models/field/sample_pine.yaml $T; printf 't_s,wind_m_s,root_rad,stem_rad\\n0,4,0.005107,0.01135\\n"
+          "1,6,0.011667,0.025669\\n2,8,0.020661,0.045839\\n3,10,0.031201,0.069095\\n4,12,0.039693,0.087634\\n' "
+          ">$T/w.csv; printf 'fit: wind\\nname: Wind\\nsource: made up\\ntrees: [{name: pine, species: scots_pine, model: "
+          "sample_pine.yaml, root_stiffness: 300 kN m/rad}]\\ntests:\\n  - {name: gale, data: w.csv, time: t_s, wind: "
+          "{column: wind_m_s}, sensors: [{name: plate, kind: tilt, column: root_rad, height: 0 m, sigma: 0.005 deg}, "
+          "{name: stem, kind: tilt, column: stem_rad, height: 4 m, sigma: 0.01 deg}]}\\nfree: [{parameter: "
+          "level0.youngs_modulus, start: 5 GPa}, {parameter: root.stiffness, start: 1000 kN m/rad}]\\n' >$T/w.yaml; $W fit "
+          "$T/w.yaml -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 --samples 0",
+          CODE_OK,
+          { "anchorage 3.263 kN m: 0.0109 rad x 299.1 kN m/rad", "gale, plate: the plate turned by up to 2.27 deg, in a wind of 12 m/s\n",
+            "it stood that wind, which is above the critical wind of 4.1",
+            "a stiffness at small tilt does not give the anchorage's strength beyond it" } },
         { "$W analyze oak $RUN -q; $W assess --from $T/out --wind 8",
           CODE_INPUT,
           { "is no results folder of windfirm fit" } },

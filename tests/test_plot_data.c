@@ -33,14 +33,15 @@ static int tear_down(void **state)
 
 static bool has_gnuplot(void) { return system("command -v gnuplot >/dev/null 2>&1") == 0; }
 
+/* Paths are left out of what pages print, so that a text names none here. */
 static void strange_texts_and_numbers_come_back(void **state)
 {
     (void)state;
     static const char *const texts[] = { "plain",
                                          "a \"quoted\" name, with a comma",
                                          "back\\slash \\n \\054",
-                                         "`touch /tmp/windfirm-was-here` @start $X",
-                                         "'; system('touch /tmp/windfirm-was-here'); '",
+                                         "`touch windfirm-was-here` @start $X",
+                                         "'; system('touch windfirm-was-here'); '",
                                          "# {/Bold enhanced} %g %s ~a",
                                          "\xe6\x9f\xb3 \xe2\x80\x93 \xc2\xb0",
                                          "",
@@ -94,7 +95,7 @@ static void strange_texts_and_numbers_come_back(void **state)
     }
     assert_string_equal(at, "NaN   NaN <two lines> time (s) no such\n160 \xe2\x80\xa6 3 "
                             "]]\xe2\x81\xa0> &\xe2\x81\xa0#x41; \xef\xbf\xbd\n");
-    assert_int_not_equal(access("/tmp/windfirm-was-here", F_OK), 0);
+    assert_int_not_equal(access("windfirm-was-here", F_OK), 0);
 }
 
 static void only_numbers_are_taken_for_numbers(void **state)

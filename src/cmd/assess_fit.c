@@ -9,6 +9,7 @@
 #include "out/folder.h"
 #include "out/reader.h"
 #include "study/assessment.h"
+#include "study/verdict.h"
 #include <math.h>
 #include <string.h>
 
@@ -99,9 +100,9 @@ static struct wf_assess_record *record_of(struct wf_assess_fit *f, const struct 
     const struct wf_calibration_sensor *s = sensor_of(c, test, sensor, &of);
     for (size_t k = 0; k < f->records; k++)
         if (!strcmp(f->record[k].test, test) && !strcmp(f->record[k].sensor, sensor)) return &f->record[k];
-    if (!s || !of->pull.given || f->records == WF_ASSESS_RECORDS) return NULL;
+    if (!s || !(of->pull.given || of->wind.given) || f->records == WF_ASSESS_RECORDS) return NULL;
     bool plate = s->kind == WF_SENSOR_TILT && s->height == 0;
-    if (!plate && s->kind != WF_SENSOR_STRAIN) return NULL;
+    if (!plate && (s->kind != WF_SENSOR_STRAIN || !of->pull.given)) return NULL;
     const struct wf_calibration_pull *p = &of->pull;
     double slope =
         isnan(p->anchor_distance) ? p->elevation : atan2(p->anchor_height - p->height, p->anchor_distance);
@@ -113,20 +114,25 @@ static struct wf_assess_record *record_of(struct wf_assess_fit *f, const struct 
                                     .level = cos(isnan(slope) ? 0 : slope),
                                     .azimuth = p->azimuth,
                                     .quarter = NAN,
+                                    .in_wind = !of->pull.given,
                                     .slope = plate ? (double)NAN : 0 };
     return r;
 }
 
 /* One reading after the other: the moment at 0.25 deg between two, the largest strain over its force. */
-static void add_reading(struct wf_assess_record *r, double force, double shown, double *before)
+static void add_reading(struct wf_assess_record *r, double load, double shown, double *before)
 {
     const double quarter = 0.25 * WF_PI / 180;
     double size = fabs(shown);
+    if (r->in_wind) {
+        if (size > r->most) r->most = size, r->wind = load;
+        return;
+    }
     if (isnan(r->slope) && isnan(r->quarter) && size >= quarter && r->most < quarter && size > r->most)
         r->quarter =
-            r->level * r->rope * (*before + (force - *before) * (quarter - r->most) / (size - r->most));
-    if (!isnan(r->slope) && size > r->most && force > 0) r->slope = size / force;
-    if (size > r->most) r->most = size, *before = force;
+            r->level * r->rope * (*before + (load - *before) * (quarter - r->most) / (size - r->most));
+    if (!isnan(r->slope) && size > r->most && load > 0) r->slope = size / load;
+    if (size > r->most) r->most = size, *before = load;
 }
 
 static enum wf_status read_record(const char *folder, const struct wf_calibration *c, struct wf_arena *a,
@@ -146,16 +152,17 @@ static enum wf_status read_record(const char *folder, const struct wf_calibratio
     if (s || (s = wf_units_open(&units, e))) return s;
     while (!s && wf_csv_next(&csv)) {
         struct wf_assess_record *r = record_of(out, c, wf_csv_text(&csv, at[0]), wf_csv_text(&csv, at[1]));
-        double load, shown, newton, si;
+        double load, shown, factor, si;
         struct wf_err unsaid = { WF_OK, "" };
         char text[80];
         if (!r || wf_csv_value(&csv, at[3], &load) || wf_csv_value(&csv, at[5], &shown)) continue;
         struct wf_column unit = { "measured", wf_csv_text(&csv, at[2]),
                                   isnan(r->slope) ? WF_DIM_ANGLE : WF_DIM_NONE };
         (void)snprintf(text, sizeof text, "1 %.40s", wf_csv_text(&csv, at[4]));
-        if (wf_quantity_read(units, text, WF_DIM_FORCE, &newton, &unsaid)) continue;
+        if (wf_quantity_read(units, text, r->in_wind ? WF_DIM_SPEED : WF_DIM_FORCE, &factor, &unsaid))
+            continue;
         if (wf_column_unit(units, &unit, &si, &unsaid)) continue;
-        add_reading(r, newton * load, si * shown, &before[r - out->record]);
+        add_reading(r, factor * load, si * shown, &before[r - out->record]);
     }
     wf_units_close(units);
     return s;
@@ -229,6 +236,21 @@ static void print_plate(FILE *to, const struct wf_assess_record *r, const struct
                 largest);
 }
 
+/* A record in wind has no moment of its own to compare with. */
+static void print_wind(FILE *to, const struct wf_assess_record *r, const struct wf_analysis *an)
+{
+    const struct wf_verdict v = wf_verdict_of(an->breaks);
+    const struct wf_critical *c = v.loss ? &v.loss->critical : NULL;
+    wf_show(to, "  %s, %s: the plate turned by up to %.2f deg, in a wind of %.3g m/s\n", r->test, r->sensor,
+            r->most * 180 / WF_PI, r->wind);
+    if (c && c->outcome == WF_CRITICAL_FOUND && r->wind > c->speed)
+        wf_show(
+            to,
+            "    it stood that wind, which is above the critical wind of %.3g m/s if both are named at one "
+            "place: compare them before the verdict is used\n",
+            c->speed);
+}
+
 static void print_strain(FILE *to, const struct wf_assess_record *r, const struct wf_analysis *an)
 {
     const struct wf_level *l = &an->species->level[0];
@@ -250,12 +272,18 @@ void wf_assess_fit_print(FILE *to, const struct wf_assess_fit *f, const struct w
 {
     wf_show(to, "\n  straight from the record of %s\n", f->study);
     for (size_t k = 0; k < f->records; k++)
-        if (isnan(f->record[k].slope))
+        if (f->record[k].in_wind)
+            print_wind(to, &f->record[k], an);
+        else if (isnan(f->record[k].slope))
             print_plate(to, &f->record[k], an);
         else
             print_strain(to, &f->record[k], an);
-    if (!f->records) wf_show(to, "  it has no tilt of the root plate and no strain under a rope\n");
-    for (size_t k = 0; k < f->records && k < 1; k++) {
+    if (!f->records) wf_show(to, "  it has no tilt of the root plate, and no strain under a rope\n");
+    if (f->root.given)
+        wf_show(to,
+                "  a stiffness at small tilt does not give the anchorage's strength beyond it: 2.5 times the "
+                "moment at 0.25 deg is a rule of pulling tests\n");
+    for (size_t k = 0; k < f->records && k < 1 && !f->record[k].in_wind; k++) {
         double away = remainder(f->record[k].azimuth - an->scenario.azimuth, 2 * WF_PI) * 180 / WF_PI;
         wf_show(to, "  pulled %.0f deg away from the direction of the wind that was assessed\n", fabs(away));
     }

@@ -8,7 +8,7 @@
 #include "study/analysis.h"
 #include <stdio.h>
 
-/* A line of a record: what one sensor shows under a force. */
+/* A line of a record: what one sensor shows under the force of a rope, or in wind. */
 struct wf_assess_record {
     const char *test, *sensor;
     double height;      /* of the sensor [m] */
@@ -17,6 +17,8 @@ struct wf_assess_record {
     double quarter;     /* moment on the ground at 0.25 deg of the plate [N m]; NAN: not reached */
     double slope;       /* strain over force [1/N]; NAN: it is no strain */
     double most;        /* largest reading [rad] or [-] */
+    bool in_wind;       /* a tilt of the root plate in wind: of the above `most` alone */
+    double wind;        /* at that reading [m/s] */
 };
 enum { WF_ASSESS_RECORDS = 16 };
 
