@@ -566,11 +566,27 @@ static void check_site(const struct wf_analysis *an, struct wf_diag *d)
         an->model->name, stand, open, open / stand);
 }
 
-/* The limits that depend on the wind: site-assumed, streamline-range, profile-range, reynolds-range, steep,
- * map-edge. */
+/* Scans are taken of bare trees as a rule. */
+static void check_leaves(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_tree *t = &an->tree;
+    if (an->model->generator != WF_GENERATOR_MEASURED || an->model->season != WF_LEAF_ON) return;
+    for (size_t i = 0; i < t->n; i++)
+        if (t->sail0[i] > 0.0 || t->sail1[i] > 0.0 || t->leaf0[i] > 0.0 || t->leaf1[i] > 0.0) return;
+    wf_diag_warn(
+        d, "no-leaves",
+        "%s: the measured tree has neither leaves nor a crown's area, and the wind acts on its wood alone. "
+        "In leaf it carries several times that load and fails in a much weaker wind: give the crown "
+        "(--crown-width, --crown-base); --leaf-off says that it is bare",
+        an->model->name);
+}
+
+/* The limits that depend on the wind: site-assumed, no-leaves, streamline-range, profile-range,
+ * reynolds-range, steep, map-edge. */
 static void limits_wind(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_site(an, d);
+    check_leaves(an, d);
     check_streamline(an, d);
     wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);
     check_reynolds(an, d);
