@@ -577,7 +577,7 @@ static void check_leaves(const struct wf_analysis *an, struct wf_diag *d)
         d, "no-leaves",
         "%s: the measured tree has neither leaves nor a crown's area, and the wind acts on its wood alone. "
         "In leaf it carries several times that load and fails in a much weaker wind: give the crown "
-        "(--crown-width, --crown-base); --leaf-off says that it is bare",
+        "(--crown-width with --crown-depth, --frontal-area, --leaf-area); --leaf-off says that it is bare",
         an->model->name);
 }
 
