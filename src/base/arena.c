@@ -19,8 +19,8 @@ struct wf_arena_block {
 };
 
 /* Blocks that were freed, for the next arena: solutions follow each other with as much memory each, and new
- * pages from the operating system cost a tenth of their time. None where an address sanitizer is to notice what
- * is used after it was freed. */
+ * pages from the operating system cost a tenth of their time. None where an address sanitizer is to notice
+ * what is used after it was freed. */
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define WATCHED 1
@@ -65,10 +65,13 @@ static void free_block(struct wf_arena_block *b)
 {
     if (b->dirty < b->used) b->dirty = b->used;
     b->used = 0;
-    pthread_mutex_lock(&spare.lock);
-    bool keep = b->size >= SPARE_LEAST && b->size <= LARGEST_STEP && spare.bytes + b->size <= SPARE_MOST;
-    if (keep) b->older = spare.first, spare.first = b, spare.bytes += b->size;
-    pthread_mutex_unlock(&spare.lock);
+    bool keep = b->size >= SPARE_LEAST && b->size <= LARGEST_STEP;
+    if (keep) {
+        pthread_mutex_lock(&spare.lock);
+        keep = spare.bytes + b->size <= SPARE_MOST;
+        if (keep) b->older = spare.first, spare.first = b, spare.bytes += b->size;
+        pthread_mutex_unlock(&spare.lock);
+    }
     if (!keep) free(b);
 }
 

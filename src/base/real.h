@@ -134,4 +134,17 @@ WF_INLINE void real_transpose(real block[WF_WIDTH])
     (void)block;
 #endif
 }
+
+/* The first n numbers at each lane's place, n at least WF_WIDTH. */
+WF_INLINE void real_gather(const double *const at[WF_WIDTH], size_t n, real *to)
+{
+#pragma GCC unroll 8
+    for (size_t q = 0; q < n; q += WF_WIDTH) {
+        size_t from = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
+        real block[WF_WIDTH];
+        for (int k = 0; k < WF_WIDTH; k++) memcpy(&block[k], at[k] + from, sizeof(real));
+        real_transpose(block);
+        for (int k = 0; k < WF_WIDTH; k++) to[from + (size_t)k] = block[k];
+    }
+}
 #endif

@@ -133,13 +133,7 @@ WF_INLINE void bark_ends(real x, real ends[8])
             i = BARK_POINTS - 2; /* rounding of the logarithm just below the last point */
         row[k] = &bark_at[i].log_re;
     }
-#pragma GCC unroll 8
-    for (int q = 0; q < 8; q += WF_WIDTH) {
-        real block[WF_WIDTH];
-        for (int k = 0; k < WF_WIDTH; k++) memcpy(&block[k], row[k] + q, sizeof(real));
-        real_transpose(block);
-        for (int k = 0; k < WF_WIDTH; k++) ends[q + k] = block[k];
-    }
+    real_gather(row, 8, ends);
 }
 
 /* The points from the first to the last are 0.1 <= Re < 1e7; outside, the law is constant. */

@@ -30,16 +30,9 @@ struct places {
 /* The first n numbers at each lane's place. */
 WF_INLINE void gather(const struct places *from, size_t n, real *to)
 {
+    if (n >= WF_WIDTH) real_gather((const double *const *)from->at, n, to);
     for (size_t q = 0; n < WF_WIDTH && q < n; q++)
         for (int k = 0; k < WF_WIDTH; k++) real_lane(to[q], k) = from->at[k][q];
-#pragma GCC unroll 8
-    for (size_t q = 0; n >= WF_WIDTH && q < n; q += WF_WIDTH) {
-        size_t at = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
-        real block[WF_WIDTH];
-        for (int k = 0; k < WF_WIDTH; k++) memcpy(&block[k], from->at[k] + at, sizeof(real));
-        real_transpose(block);
-        for (int k = 0; k < WF_WIDTH; k++) to[at + (size_t)k] = block[k];
-    }
 }
 
 /* Numbers to the places of the first `some` lanes. */

@@ -30,10 +30,7 @@ static bool on_held(const struct wf_beam *b, size_t i)
 }
 
 /* Are the elements that do not stand on the ground computed by groups? */
-static bool by_groups(const struct wf_beam *b)
-{
-    return b->groups.n && !b->flat && !b->held && !(b->creep > 0);
-}
+static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->held && !(b->creep > 0); }
 
 static struct wf_groups_sweep groups_of(const struct wf_beam *b)
 {
@@ -320,7 +317,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     enum wf_status status = wf_beam_mesh_build(t, l, o, pieces, a, &b->mesh, e);
     if (status) return status;
     wf_beam_rest(&b->mesh, l->gravity * l->weight_scale);
-    if (newton && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
+    if (newton && !b->mesh.flat && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
     struct wf_arena *forces = newton ? newton : a;
     size_t n = b->mesh.n;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
