@@ -3,6 +3,7 @@
 #define WF_TESTS_BEAM_CASES_H
 /* Trees and loads for the tests and measurements of the structural engine. */
 #include "close.h"
+#include "load/drag.h"
 #include "solve/beam.h"
 #include "solve/solve.h"
 #include <string.h>
@@ -184,5 +185,34 @@ static inline void beam_wild(struct beam_case *c, size_t n, uint64_t seed)
         for (int k = 0; k < 3; k++) b[k] = a[k] + length * d[k];
         beam_row(c, i, i ? (int32_t)below : -1, a, b, r0, r0 * (0.85 + 0.1 * beam_random(&s)));
     }
+}
+
+/* Weight, and laws of drag, lift and crown by the seed. */
+static inline void beam_laws(struct beam_case *c, uint64_t seed)
+{
+    static const char *const crown[] = { "none", "vogel", "table" };
+    static const double table_speed[] = { 3, 9, 20 }, table_part[] = { 1, 0.6, 0.3 };
+    struct wf_loads *l = &c->loads;
+    l->gravity = 9.81;
+    l->streamline = wf_streamline_named(crown[seed % 3]);
+    if (seed % 3 == 1) l->streamline_par.number[0] = -0.7, l->streamline_par.number[1] = 5;
+    if (seed % 3 == 2)
+        l->streamline_par.list[0] = table_speed, l->streamline_par.list[1] = table_part,
+        l->streamline_par.n = 3;
+    for (size_t i = 0; i < c->tree.n; i++) {
+        c->tree.drag[i] = seed % 4 ? NAN : 1;
+        c->tree.lift[i] = seed % 5 ? 0 : 0.2;
+        c->tree.sail0[i] = c->tree.sail1[i] = 3 * c->tree.r0[i];
+    }
+}
+
+/* A wind profile by the seed. */
+static inline void beam_profile(struct wf_wind *w, uint64_t seed)
+{
+    static const char *const profile[] = { "power", "log", "uniform", "canopy", "terrain", "code" };
+    enum { PROFILES = 6 };
+    w->sample = wf_profile_named(profile[seed % PROFILES])->sample;
+    w->exponent = 0.16, w->roughness = 0.03;
+    w->canopy_height = 3, w->displacement = seed % PROFILES == 3 ? 2 : 0, w->attenuation = 2;
 }
 #endif

@@ -1,37 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Elements of one state side by side: the groups, and the answers of one element after the other. */
 #include "beam_cases.h"
-#include "load/drag.h"
 #include "solve/beam.h"
 #include "solve/beam_newton.h"
 #include "solve/beam_small.h"
 #include <stdlib.h>
 
-static const double table_speed[] = { 3, 9, 20 }, table_part[] = { 1, 0.6, 0.3 };
-
 /* A tree at random in a wind and laws by the seed. */
 static void grow(struct beam_case *c, uint64_t seed, size_t rows, double speed)
 {
-    static const char *const crown[] = { "none", "vogel", "table" };
-    static const char *const profile[] = { "power", "log", "uniform", "canopy", "terrain", "code" };
     beam_wild(c, rows, seed + 1);
-    struct wf_loads *l = &c->loads;
-    l->gravity = 9.81;
-    l->streamline = wf_streamline_named(crown[seed % 3]);
-    if (seed % 3 == 1) l->streamline_par.number[0] = -0.7, l->streamline_par.number[1] = 5;
-    if (seed % 3 == 2)
-        l->streamline_par.list[0] = table_speed, l->streamline_par.list[1] = table_part,
-        l->streamline_par.n = 3;
-    for (size_t i = 0; i < c->tree.n; i++) {
-        c->tree.drag[i] = seed % 4 ? NAN : 1;
-        c->tree.lift[i] = seed % 5 ? 0 : 0.2;
-        c->tree.sail0[i] = c->tree.sail1[i] = 3 * c->tree.r0[i];
-    }
-    c->wind.sample = wf_profile_named(profile[seed % 6])->sample;
-    c->wind.exponent = 0.16, c->wind.roughness = 0.03, c->wind.least = 0.5;
-    c->wind.canopy_height = 3, c->wind.displacement = seed % 6 == 3 ? 2 : 0, c->wind.attenuation = 2;
+    beam_laws(c, seed);
+    beam_profile(&c->wind, seed);
+    c->wind.least = 0.5;
     c->wind.speed = speed;
-    l->wind = &c->wind;
+    c->loads.wind = &c->wind;
     c->options.tolerance = 1e-12;
     c->options.mesh_tolerance = 0;
     if (seed % 7 == 3) beam_masses(c);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Many states side by side: the same answers as one after the other, the same bytes at any width. */
 #include "beam_cases.h"
-#include "load/drag.h"
 #include "solve/beam_many.h"
 #include <stdlib.h>
 
@@ -15,36 +14,13 @@ struct many {
     struct wf_beam_state state[2 * N];
 };
 
-static const double table_speed[] = { 3, 9, 20 }, table_part[] = { 1, 0.6, 0.3 };
-
-static void laws(struct many *m, uint64_t seed)
-{
-    struct wf_loads *l = &m->c.loads;
-    static const char *const crown[] = { "none", "vogel", "table" };
-    l->gravity = 9.81;
-    l->streamline = wf_streamline_named(crown[seed % 3]);
-    if (seed % 3 == 1) l->streamline_par.number[0] = -0.7, l->streamline_par.number[1] = 5;
-    if (seed % 3 == 2)
-        l->streamline_par.list[0] = table_speed, l->streamline_par.list[1] = table_part,
-        l->streamline_par.n = 3;
-    for (size_t i = 0; i < m->c.tree.n; i++) {
-        m->c.tree.drag[i] = seed % 4 ? NAN : 1;
-        m->c.tree.lift[i] = seed % 5 ? 0 : 0.2;
-        m->c.tree.sail0[i] = m->c.tree.sail1[i] = 3 * m->c.tree.r0[i];
-    }
-}
-
 static void blow(struct many *m, uint64_t seed, double speed)
 {
-    static const char *const profile[] = { "power", "log", "uniform", "canopy", "terrain", "code" };
-    enum { PROFILES = 6 };
     for (size_t k = 0; k < 2 * N; k++) {
         double angle = 2 * PI * (double)k / N + 0.1;
         m->wind[k] = m->c.wind;
-        m->wind[k].sample = wf_profile_named(profile[seed % PROFILES])->sample;
-        m->wind[k].exponent = 0.16, m->wind[k].roughness = 0.03;
-        m->wind[k].canopy_height = 3, m->wind[k].displacement = seed % PROFILES == 3 ? 2 : 0,
-        m->wind[k].least = 0.5 + 0.1 * (double)k, m->wind[k].attenuation = 2;
+        beam_profile(&m->wind[k], seed);
+        m->wind[k].least = 0.5 + 0.1 * (double)k;
         m->wind[k].speed = speed * (0.6 + 0.05 * (double)k);
         m->wind[k].direction[0] = cos(angle), m->wind[k].direction[1] = sin(angle);
         m->loads[k] = m->c.loads;
@@ -58,7 +34,7 @@ static void blow(struct many *m, uint64_t seed, double speed)
 static void wild(struct many *m, uint64_t seed, size_t rows, double speed)
 {
     beam_wild(&m->c, rows, seed + 1);
-    laws(m, seed);
+    beam_laws(&m->c, seed);
     blow(m, seed, speed);
     m->c.options.tolerance = 1e-12;
     m->c.options.mesh_tolerance = 0;
@@ -147,7 +123,7 @@ static void drag_crisis(void **state)
     (void)state;
     struct many m;
     beam_stem(&m.c, 20, upright, 20, 0.4, 0.1);
-    laws(&m, 1), blow(&m, 0, 30);
+    beam_laws(&m.c, 1), blow(&m, 0, 30);
     m.c.options.tolerance = 1e-12;
     m.c.options.mesh_tolerance = 0;
     solve(&m, N);
@@ -220,7 +196,7 @@ static void one_that_snaps(void **state)
     static struct many m[2];
     for (int k = 0; k < 2; k++) {
         beam_stem(&m[k].c, 30, upright, 8, 0.02, 0.01);
-        laws(&m[k], 0), blow(&m[k], 0, 12);
+        beam_laws(&m[k].c, 0), blow(&m[k], 0, 12);
         m[k].c.options.mesh_tolerance = 0;
         m[k].c.loads.gravity = 9.81;
         if (k) m[k].loads[3].gravity = 120; /* it buckles */
