@@ -1,36 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Methods against beam theory, branch by branch. */
-#include "data/model.h"
-#include "data/species.h"
-#include "solve/solve.h"
-#include "load/drag.h"
-#include "close.h"
+#include "made.h"
 #include "study/explain.h"
-#include "load/scene.h"
 #include <string.h>
 
-struct made {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_analysis an;
+struct explained {
+    struct made in;
     struct wf_explain out;
 };
 
-static void explain(struct made *m, const char *model, double speed)
+static void explain(struct explained *x, const char *model, double speed)
 {
-    struct wf_solve_options o;
-    *m = (struct made){ 0 };
-    m->diag.arena = &m->arena;
-    m->an = (struct wf_analysis){ .species = &m->species, .model = &m->model, .solver = wf_solvers[0] };
-    wf_scenario_default(&m->an.scenario);
-    wf_solve_options_default(&o);
-    if (wf_species_read("species/poplar.yaml", &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
-        wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err) ||
-        wf_analysis_set_up(&m->an, NULL, &m->arena, &m->diag, &m->err) ||
-        wf_explain_run(&m->an, &o, speed, &m->arena, &m->diag, &m->out, &m->err))
+    struct made *m = &x->in;
+    made_read(m, "species/poplar.yaml", model);
+    m->an = (struct wf_analysis){ .species = &m->species,
+                                  .model = &m->model,
+                                  .solver = wf_solvers[0],
+                                  .scenario = m->scenario };
+    if (wf_analysis_set_up(&m->an, NULL, &m->arena, &m->diag, &m->err) ||
+        wf_explain_run(&m->an, &m->options, speed, &m->arena, &m->diag, &x->out, &m->err))
         fail_msg("%s", m->err.text);
 }
 
@@ -45,7 +33,7 @@ static size_t method(const struct wf_explain *x, const char *name)
 static void branches(void **state)
 {
     (void)state;
-    struct made m;
+    struct explained m;
     explain(&m, "models/zhao2013_ifs.yaml", 4);
     const struct wf_explain *x = &m.out;
     assert_int_equal(x->axes, 1 + 12 + 96);
@@ -62,7 +50,7 @@ static void branches(void **state)
     assert_true(x->axis[0].ratio[printed] < 0.05 && small > 100);
     assert_true(close > 100); /* a few twigs lie along the wind or bear little of it */
     assert_close(x->tip[rod], 1, 1e-3);
-    wf_arena_free(&m.arena);
+    wf_arena_free(&m.in.arena);
 }
 
 int main(void)
