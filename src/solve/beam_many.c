@@ -263,7 +263,8 @@ static bool side_by_side(const struct wf_tree *t, const struct wf_beam_state *st
 {
     bool covered = n > 1 && !t->section && !(o->root_stiffness[0] > 0) && !(o->root_stiffness[1] > 0);
     for (size_t k = 0; k < n && covered; k++)
-        covered = !state[k].loads->points && !state[k].loads->ties && state[k].loads->line == state[0].loads->line;
+        covered =
+            !state[k].loads->points && !state[k].loads->ties && state[k].loads->line == state[0].loads->line;
     return covered;
 }
 
@@ -272,7 +273,7 @@ static void solve_alone(const struct wf_tree *t, const struct wf_solve_options *
     struct wf_arena work = { 0 };
     struct wf_beam b;
     struct wf_beam_outcome out = { .load_factor = 0 };
-    x->status = wf_beam_solve(t, x->loads, o, NULL, NULL, &work, &b, &out, &x->why);
+    x->status = wf_beam_solve(t, x->loads, o, NULL, NULL, &work, &work, &b, &out, &x->why);
     if (!x->status) {
         wf_beam_read(&b, &x->response);
         x->loose = b.loose;

@@ -3,51 +3,12 @@
 #define WF_SOLVE_BEAM_NEWTON_H
 /* All elements of a tree together: sweeps up and down the tree, Newton's method, and what to do when Newton
  * stalls. */
-#include "solve/beam_element.h"
-#include "solve/beam_groups.h"
-
-struct wf_beam {
-    struct wf_beam_mesh mesh;
-    struct wf_beam_groups groups; /* of elements that are computed side by side */
-    struct wf_loads loads; /* a copy: load steps change its scale factors */
-    const struct wf_solve_options *options;
-    double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
-    double (*root_step)[3];      /* per row, for roots: Newton correction of tilt */
-    double (*root_change)[6];    /* per row, for roots: change of the base pose by that correction */
-    double (*root_give)[9];      /* per row, for roots: spin of the plate by moment */
-    double (*root_hold)[6][3];   /* per row, for roots: wrench on the ground by spin of the plate */
-    struct wf_beam_shape *shape; /* per element, as all below */
-    struct wf_beam_pose *pose;   /* of the element's end */
-    struct wf_beam_stage *stage;
-    struct wf_beam_flat *flat;     /* rotated with the element; NULL = all sections are round */
-    struct wf_beam_wrench *wrench; /* internal force and moment just below the element's end */
-    double (*load)[2][3];          /* at the Gauss points per length, of the last sweep down [N/m] */
-    struct wf_beam_reaction *node;
-    struct wf_beam_answer *answer;
-    double (*change)[6]; /* of the end */
-    double (*dv)[2][3];
-    double (*k0)[2][3];          /* curvature at the start of a creep step */
-    double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
-    struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
-    struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
-    wf_four (*root_moved)[6];    /* as `small`, per row, for roots: change of the base pose by small loads */
-    double creep;
-    bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
-    struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
-    struct wf_beam_misfit misfit;       /* of the present shape */
-    struct wf_beam_stability stability; /* of the present shape, where `counted` */
-    bool counted;
-    const bool *held; /* per element: it keeps its place, with all below it; NULL: none does */
-    bool *weak;   /* per element: set where it is unstable with all above it, when that is counted; NULL: not
-                     wanted */
-    double *off;  /* per element: gains its part of misfit.bending; NULL: not wanted */
-    size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
-    size_t iterations, steps;
-};
+#include "solve/beam_state.h"
 
 /* Build the mesh and the state with the unloaded shape. Mesh and shape (shape, pose, tilt, base) are in `a`;
  * what Newton's method works with (stage, wrench, load, node, answer, change, dv), two thirds of the memory,
- * in `newton`, which may be `a`; NULL: only sweeps down without the tangent will be made. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
+ * in `newton`, which may be `a`; NULL: only sweeps down without the tangent will be made. Errors: WF_ENOMEM,
+ * WF_EINPUT (rows not connected). */
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e);
@@ -61,28 +22,6 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 /* Newton's method with line search at the present loads, from the present shape. Returned: WF_OK; WF_ENOCONV
  * with the shape where it stalled. */
 enum wf_status wf_beam_newton(struct wf_beam *b);
-
-struct wf_beam_outcome {
-    double load_factor; /* largest share of the load with a stable equilibrium on the path from zero load */
-    bool beyond_limit;  /* the solution lies beyond a limit point: the tree fell over to it */
-};
-/* Equilibrium at the full load, by the first of these that succeeds: Newton from the present shape; load
- * steps; beyond a limit point, creep (each step minimises elastic energy plus a viscous term that fades).
- * Returned: WF_OK; WF_EUNSTABLE with *out giving the last load with a stable equilibrium; WF_ENOMEM. Always
- * terminates. */
-enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
-                              struct wf_err *e);
-
-/* The same where Newton's method has failed already. */
-enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
-                                    struct wf_err *e);
-
-/* Where Newton's method (wf_beam_rests) stalls because of a few twigs: load steps, or creep, of these alone,
- * the motion of their bases given; then Newton's method of the whole tree. Such a part carries at most a
- * fifth of the force on the ground. Given: the shape where it stalled; memory from `a`. Of several equilibria
- * of a twig it may find another than the path of the whole tree does. false: the tree does not come to rest
- * so. */
-bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a);
 
 /* Is the present equilibrium stable (after wf_beam_sweep_up)? Used by every solver that relies on the beam
  * solver. Unstable directions make the tree unstable unless the parts that have them carry less than a

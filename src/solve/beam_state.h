@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_SOLVE_BEAM_STATE_H
+#define WF_SOLVE_BEAM_STATE_H
+/* The state of a tree's beam elements, and which of them move. */
+#include "solve/beam_element.h"
+#include "solve/beam_groups.h"
+
+/* Elements that move while the others keep their place: with each all that stand on it. */
+struct wf_beam_only {
+    size_t n;
+    int32_t *id;           /* from the ground up */
+    bool *held;            /* per element of the mesh: it keeps its place */
+    int32_t *root, *place; /* work space, per element */
+    double (*saved)[3][6];
+};
+
+struct wf_beam {
+    struct wf_beam_mesh mesh;
+    struct wf_beam_groups groups; /* of elements that are computed side by side */
+    struct wf_loads loads;        /* a copy: load steps change its scale factors */
+    const struct wf_solve_options *options;
+    double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
+    double (*root_step)[3];      /* per row, for roots: Newton correction of tilt */
+    double (*root_change)[6];    /* per row, for roots: change of the base pose by that correction */
+    double (*root_give)[9];      /* per row, for roots: spin of the plate by moment */
+    double (*root_hold)[6][3];   /* per row, for roots: wrench on the ground by spin of the plate */
+    struct wf_beam_shape *shape; /* per element, as all below */
+    struct wf_beam_pose *pose;   /* of the element's end */
+    struct wf_beam_stage *stage;
+    struct wf_beam_flat *flat;     /* rotated with the element; NULL = all sections are round */
+    struct wf_beam_wrench *wrench; /* internal force and moment just below the element's end */
+    double (*load)[2][3];          /* at the Gauss points per length, of the last sweep down [N/m] */
+    struct wf_beam_reaction *node;
+    struct wf_beam_answer *answer;
+    double (*change)[6]; /* of the end */
+    double (*dv)[2][3];
+    double (*k0)[2][3];          /* curvature at the start of a creep step */
+    double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
+    struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
+    struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
+    wf_four (*root_moved)[6];    /* as `small`, per row, for roots: change of the base pose by small loads */
+    double creep;
+    bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
+    struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
+    struct wf_beam_misfit misfit;       /* of the present shape */
+    struct wf_beam_stability stability; /* of the present shape, where `counted` */
+    bool counted;
+    const struct wf_beam_only *only; /* the elements that move; NULL: all */
+    struct wf_beam_only part;        /* room for such a list */
+    bool *weak;   /* per element: set where it is unstable with all above it, when that is counted; NULL: not
+                     wanted */
+    double *off;  /* per element: its part of misfit.bending; NULL: not wanted */
+    size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
+    size_t iterations, steps;
+    bool hasty; /* what follows where Newton's method stalls takes less time than to wait for it */
+    int tries; /* of small parts by themselves, left in this call of Newton's method */
+};
+#endif
