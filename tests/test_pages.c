@@ -45,9 +45,9 @@ static void what_governs_is_said(void **state)
           CODE_OK,
           { "1" } },
         { "$W compare moso_bamboo weeping_willow --model moso_culm --wind 10,25 --directions 8 --samples 0 "
-          "--no-report -o $T/a -q; for t in summary directions; do grep -c 'found,splitting$' "
-          "$T/a/tables/$t.csv; grep -c "
-          "'found,breakage$' $T/a/tables/$t.csv; done; $W compare moso_bamboo weeping_willow --model "
+          "--no-report -o $T/a -q; for t in summary directions; do grep -cE 'found,splitting(,|$)' "
+          "$T/a/tables/$t.csv; grep -cE "
+          "'found,breakage(,|$)' $T/a/tables/$t.csv; done; $W compare moso_bamboo weeping_willow --model "
           "moso_culm --wind 10,25 "
           "--directions 8 --samples 0 --no-report -o $T/a | grep -E '(governs|splitting|breakage) *$|  "
           "splitting  ' | tr -s ' '",
