@@ -7,7 +7,8 @@
   <xsl:param name="units">yes</xsl:param>
   <xsl:for-each select="methods/item">
     <th class="r"><xsl:call-template name="key">
-      <xsl:with-param name="of">method</xsl:with-param><xsl:with-param name="key" select="name"/></xsl:call-template><xsl:if test="$units = 'yes'"><span class="u">&#160;</span></xsl:if></th>
+      <xsl:with-param name="of">method</xsl:with-param><xsl:with-param name="key" select="name"/></xsl:call-template>
+      <xsl:if test="$units = 'yes'"><span class="u">&#160;</span></xsl:if></th>
   </xsl:for-each>
 </xsl:template>
 

@@ -8,7 +8,8 @@
   <xsl:call-template name="say">
     <xsl:with-param name="id">wd.title</xsl:with-param>
     <xsl:with-param name="a"><xsl:call-template name="key">
-      <xsl:with-param name="of">gust</xsl:with-param><xsl:with-param name="key" select="$r/model/name"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="of">gust</xsl:with-param><xsl:with-param name="key" select="$r/model/name"/></xsl:call-template>
+    </xsl:with-param>
   </xsl:call-template>
 </xsl:template>
 <xsl:template match="/report" mode="sub">

@@ -249,13 +249,13 @@ static void strings_are_whole(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "grep -nE '<(s|q) id' reports/strings.xml | grep -vE '<en>[^<]+</en><zh>[^<]+</zh>' || echo none",
+        { "grep -nE '<(s|q|k) id' reports/strings.xml | grep -vE '<en>[^<]+</en><zh>[^<]+</zh>' || echo none",
           CODE_OK,
           { "none" } },
         { "grep -nE '<w id' reports/strings.xml | grep -vE '<zh>[^<]+</zh></w>$' || echo none",
           CODE_OK,
           { "none" } },
-        { "grep -oE '<[sw] id=\"[^\"]+\"' reports/strings.xml | sort | uniq -d | grep . || echo none",
+        { "grep -oE '<[swk] id=\"[^\"]+\"' reports/strings.xml | sort | uniq -d | grep . || echo none",
           CODE_OK,
           { "none" } },
         { "awk 'length($0) > 140 { print FILENAME \":\" FNR }' reports/*.xsl | grep . || echo none",
