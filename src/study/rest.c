@@ -8,6 +8,7 @@
 #include "grow/silhouette.h"
 #include "solve/firm.h"
 #include "solve/unload.h"
+#include "study/brace.h"
 #include "study/guy.h"
 #include "study/removal.h"
 #include <math.h>
@@ -79,6 +80,7 @@ static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct w
     same.tree = worn, same.misread = NULL;
     if (!s) s = wf_removal_onto(&same, &scratch, e);
     if (!s) s = wf_guys_onto(&same, &scratch, e);
+    if (!s) s = wf_braces_onto(&same, &scratch, e);
     if (!s) s = wf_tree_stand(&an->tree, &same.tree, a, e);
     wf_arena_free(&scratch);
     return s;
