@@ -346,7 +346,9 @@
       <xsl:for-each select="$trees/guys/item">
         <tr>
           <td>
-            <xsl:if test="not(preceding-sibling::item)"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if>
+            <xsl:if test="not(preceding-sibling::item)">
+              <xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each>
+            </xsl:if>
           </td>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="height/value"/></xsl:call-template>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="distance/value"/></xsl:call-template>
@@ -374,7 +376,9 @@
       <xsl:for-each select="$trees/braces/item">
         <tr>
           <td>
-            <xsl:if test="not(preceding-sibling::item)"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if>
+            <xsl:if test="not(preceding-sibling::item)">
+              <xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each>
+            </xsl:if>
           </td>
           <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('bz.', name)"/></xsl:call-template></td>
           <td><xsl:value-of select="from_point"/></td>
