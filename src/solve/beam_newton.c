@@ -2,6 +2,7 @@
 #include "solve/beam_newton.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
+#include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
 #include "solve/beam_rest.h"
 #include <float.h>
@@ -89,57 +90,6 @@ static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
                                       &b->node[i], &b->answer[i], below, guard, count, small);
     return wf_beam_eliminate(p, &b->shape[i], L, creep, &b->stage[i], load, at, &b->node[i], &b->answer[i],
                              below, guard, count, small);
-}
-
-/* Loads at element ends: point masses, dead and follower forces and moments. */
-static void load_nodes(struct wf_beam *b)
-{
-    const struct wf_loads *l = &b->loads;
-    memset(b->wrench, 0, b->mesh.n * sizeof *b->wrench);
-    if (b->mesh.mass1)
-        for (size_t i = 0; i < b->mesh.n; i++)
-            b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
-    for (size_t k = 0; k < l->points; k++) {
-        const struct wf_point_load *q = &l->point[k];
-        size_t i = (size_t)b->mesh.last[q->segment];
-        double f[3], m[3];
-        memcpy(f, q->force, sizeof f), memcpy(m, q->moment, sizeof m);
-        if (q->kind == WF_POINT_FOLLOWER) m3_apply(b->pose[i].L, f, f), m3_apply(b->pose[i].L, m, m);
-        v3_add(b->wrench[i].n, l->point_scale, f);
-        v3_add(b->wrench[i].m, l->point_scale, m);
-    }
-    for (size_t k = 0; k < l->ties; k++) {
-        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
-        double f[3];
-        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, NULL);
-        v3_add(b->wrench[i].n, 1, f);
-    }
-}
-
-/* Follower loads rotate with their section: dn = spin x n. Cables resist as their ends move. */
-static void react_nodes(struct wf_beam *b)
-{
-    const struct wf_loads *l = &b->loads;
-    memset(b->node, 0, b->mesh.n * sizeof *b->node);
-    for (size_t k = 0; k < l->points; k++) {
-        const struct wf_point_load *q = &l->point[k];
-        if (q->kind != WF_POINT_FOLLOWER || b->frozen) continue;
-        size_t i = (size_t)b->mesh.last[q->segment];
-        double f[3], m[3], N[9] = { 0 }, M[9] = { 0 };
-        m3_apply(b->pose[i].L, q->force, f), m3_apply(b->pose[i].L, q->moment, m);
-        m3_add_cross(N, -l->point_scale, f), m3_add_cross(M, -l->point_scale, m);
-        for (int r = 0; r < 3; r++)
-            for (int c = 0; c < 3; c++) {
-                b->node[i].K[r][3 + c] += N[3 * r + c];
-                b->node[i].K[3 + r][3 + c] += M[3 * r + c];
-            }
-    }
-    for (size_t k = 0; k < l->ties; k++) {
-        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
-        double f[3], by[9];
-        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, by);
-        for (int r = 0; r < 9; r++) b->node[i].K[r / 3][r % 3] += by[r];
-    }
 }
 
 /* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m - m0, with m0 the moment in the
@@ -239,18 +189,17 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 {
     const bool groups = by_groups(b);
     struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST), .most = groups ? 1 : AHEAD };
-    struct wf_beam_pose ground;
-    double first[3] = { 0, 0, 0 };
+    struct wf_beam_pose ground, lowest;
+    const double *first = wf_beam_base(b, 0, &lowest)->r;
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
     b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
     if (!b->held) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
-    load_nodes(b);
+    wf_beam_ends_load(b);
     set_side_weight(b);
-    if (tangent) react_nodes(b);
-    memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
+    if (tangent) wf_beam_ends_react(b);
     if (groups && !groups_down(b, tangent, guard, count)) return false;
     for (size_t i = b->mesh.n; i-- > 0;) {
         if (held(b, i) || (groups && b->mesh.part[i].parent >= 0)) continue;
@@ -291,6 +240,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
         if (count && count->negative > unstable) count->bears = INFINITY;
     }
+    if (tangent && b->links && !wf_beam_links_join(b, count)) return false;
     if (count) b->stability = *count;
     b->counted = count && isfinite(b->misfit.bending);
     return isfinite(b->misfit.bending);
@@ -335,7 +285,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
         !b->pose || !b->stage || !b->wrench || !b->load || (newton && !take_newton(b, newton)) ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
-    return WF_OK;
+    return l->links && newton ? wf_beam_links_take(b, newton, e) : WF_OK;
 }
 
 /* Limit an element's own rotation; everything above it moves accordingly. base, end: changes of its ends. */
