@@ -408,7 +408,7 @@ static bool newton_step(struct wf_beam *b, bool watch)
 {
     const double turn_limit = 3; /* [rad] rotation of a node in one step */
     /* relative residual before the last step: convergence is quadratic */
-    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.1);
+    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.3);
     double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     struct wf_beam_stability count;
@@ -506,7 +506,24 @@ bool wf_beam_finish(struct wf_beam *b)
     return wf_beam_sweep_down(b, false, NULL);
 }
 
-bool wf_beam_step(struct wf_beam *b) { return wf_beam_sweep_down(b, true, NULL) && wf_beam_finish(b); }
+bool wf_beam_step(struct wf_beam *b, bool *stable)
+{
+    struct wf_beam_stability count = { .margin = stable ? stability_margin(b) : 0 };
+    bool swept = wf_beam_sweep_down(b, true, stable ? &count : NULL);
+    if (stable) *stable = swept && wf_beam_stable(b);
+    return swept && wf_beam_finish(b);
+}
+
+bool wf_beam_apart(const struct wf_beam *b)
+{
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        bool follows = false;
+        for (int r = 0; r < 6 && !follows; r++)
+            for (int c = 0; c < 6; c++) follows = follows || b->answer[i].X[r][c] != 0;
+        if (!follows) return true;
+    }
+    return false;
+}
 
 /* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
  * the load reached. */
