@@ -42,16 +42,22 @@ struct wf_groups_sweep {
     /* returned by `down`, sums over the groups: as struct wf_beam_misfit and struct wf_beam_stability */
     double bending, energy, strain, turn, bears;
     size_t negative;
+    bool whole; /* by `chains`: as the answer of `down` */
 };
 
 struct wf_groups_kernel {
+    size_t width;
     /* Place the elements, whose bases on the ground are placed. */
     void (*up)(struct wf_groups_sweep *x);
     /* Forces, residual, tangent; adds to `wrench` and `node` of the elements below. false: a tangent is
      * singular. */
     bool (*down)(struct wf_groups_sweep *x);
+    /* As `down`, of up to `width` trees side by side, whose elements stand one on another, by falling numbers
+     * of elements; that on the ground is left out. They are alike in `tangent`, in `small` (wanted or not), in
+     * the forms of their winds and laws, and have no `off`, `weak`, `frozen` or ties. */
+    void (*chains)(struct wf_groups_sweep *const *x, size_t n);
 };
 extern const struct wf_groups_kernel wf_groups_1, wf_groups_4, wf_groups_8;
-/* Kernel for this processor; WINDFIRM_LANES as for wf_lanes_kernel. */
-const struct wf_groups_kernel *wf_groups_kernel(void);
+/* Kernel for so many lanes on this processor; WINDFIRM_LANES as for wf_lanes_kernel. */
+const struct wf_groups_kernel *wf_groups_kernel(size_t n);
 #endif

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_newton.h"
+#include "base/abreast.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
 #include "solve/beam_lanes.h"
+#include "solve/beam_nodes.h"
 #include "solve/beam_rest.h"
+#include "solve/beam_team.h"
 #include <float.h>
 
 enum { AHEAD = 8 }; /* elements whose loads are computed together */
@@ -31,6 +34,13 @@ static bool on_held(const struct wf_beam *b, size_t i)
 
 /* Are the elements that do not stand on the ground computed by groups? */
 static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->held && !(b->creep > 0); }
+
+/* A stem by itself is computed beside those of other jobs. */
+static bool in_team(const struct wf_beam *b)
+{
+    return b->chain && wf_abreast_inside() && !b->held && !(b->creep > 0) && !b->frozen && !b->off && !b->weak &&
+           !b->loads.ties;
+}
 
 static struct wf_groups_sweep groups_of(const struct wf_beam *b)
 {
@@ -61,7 +71,7 @@ void wf_beam_sweep_up(struct wf_beam *b)
                           &b->pose[i]);
     if (groups) {
         struct wf_groups_sweep all = groups_of(b);
-        wf_groups_kernel()->up(&all);
+        wf_groups_kernel(WF_LANES_MOST)->up(&all);
     }
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
         if (held(b, i)) continue;
@@ -89,57 +99,6 @@ static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
                                       &b->node[i], &b->answer[i], below, guard, count, small);
     return wf_beam_eliminate(p, &b->shape[i], L, creep, &b->stage[i], load, at, &b->node[i], &b->answer[i],
                              below, guard, count, small);
-}
-
-/* Loads at element ends: point masses, dead and follower forces and moments. */
-static void load_nodes(struct wf_beam *b)
-{
-    const struct wf_loads *l = &b->loads;
-    memset(b->wrench, 0, b->mesh.n * sizeof *b->wrench);
-    if (b->mesh.mass1)
-        for (size_t i = 0; i < b->mesh.n; i++)
-            b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
-    for (size_t k = 0; k < l->points; k++) {
-        const struct wf_point_load *q = &l->point[k];
-        size_t i = (size_t)b->mesh.last[q->segment];
-        double f[3], m[3];
-        memcpy(f, q->force, sizeof f), memcpy(m, q->moment, sizeof m);
-        if (q->kind == WF_POINT_FOLLOWER) m3_apply(b->pose[i].L, f, f), m3_apply(b->pose[i].L, m, m);
-        v3_add(b->wrench[i].n, l->point_scale, f);
-        v3_add(b->wrench[i].m, l->point_scale, m);
-    }
-    for (size_t k = 0; k < l->ties; k++) {
-        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
-        double f[3];
-        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, NULL);
-        v3_add(b->wrench[i].n, 1, f);
-    }
-}
-
-/* Follower loads rotate with their section: dn = spin x n. Cables resist as their ends move. */
-static void react_nodes(struct wf_beam *b)
-{
-    const struct wf_loads *l = &b->loads;
-    memset(b->node, 0, b->mesh.n * sizeof *b->node);
-    for (size_t k = 0; k < l->points; k++) {
-        const struct wf_point_load *q = &l->point[k];
-        if (q->kind != WF_POINT_FOLLOWER || b->frozen) continue;
-        size_t i = (size_t)b->mesh.last[q->segment];
-        double f[3], m[3], N[9] = { 0 }, M[9] = { 0 };
-        m3_apply(b->pose[i].L, q->force, f), m3_apply(b->pose[i].L, q->moment, m);
-        m3_add_cross(N, -l->point_scale, f), m3_add_cross(M, -l->point_scale, m);
-        for (int r = 0; r < 3; r++)
-            for (int c = 0; c < 3; c++) {
-                b->node[i].K[r][3 + c] += N[3 * r + c];
-                b->node[i].K[3 + r][3 + c] += M[3 * r + c];
-            }
-    }
-    for (size_t k = 0; k < l->ties; k++) {
-        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
-        double f[3], by[9];
-        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, by);
-        for (int r = 0; r < 9; r++) b->node[i].K[r / 3][r % 3] += by[r];
-    }
 }
 
 /* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m - m0, with m0 the moment in the
@@ -223,13 +182,13 @@ static struct wf_line_load *load_of(const struct wf_beam *b, size_t i, struct ah
     return load;
 }
 
-/* The groups on the way down. */
-static bool groups_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
+/* The elements that do not stand on the ground, by groups or beside those of other trees. */
+static bool many_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
 {
     struct wf_groups_sweep x = groups_of(b);
     x.tangent = tangent, x.guard = guard, x.counting = count;
     if (count) x.margin = count->margin;
-    bool whole = wf_groups_kernel()->down(&x);
+    bool whole = by_groups(b) ? wf_groups_kernel(WF_LANES_MOST)->down(&x) : wf_beam_team_down(&x);
     b->misfit = (struct wf_beam_misfit){ x.bending, x.energy, x.strain, x.turn };
     if (count) count->negative = x.negative, count->bears = x.bears;
     return whole;
@@ -237,7 +196,7 @@ static bool groups_down(struct wf_beam *b, bool tangent, bool guard, struct wf_b
 
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
-    const bool groups = by_groups(b);
+    const bool groups = by_groups(b) || in_team(b);
     struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST), .most = groups ? 1 : AHEAD };
     struct wf_beam_pose ground;
     double first[3] = { 0, 0, 0 };
@@ -247,11 +206,11 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
     if (!b->held) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
-    load_nodes(b);
+    wf_beam_load_nodes(b);
     set_side_weight(b);
-    if (tangent) react_nodes(b);
+    if (tangent) wf_beam_react_nodes(b);
     memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
-    if (groups && !groups_down(b, tangent, guard, count)) return false;
+    if (groups && !many_down(b, tangent, guard, count)) return false;
     for (size_t i = b->mesh.n; i-- > 0;) {
         if (held(b, i) || (groups && b->mesh.part[i].parent >= 0)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
@@ -320,6 +279,8 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     if (newton && !b->mesh.flat && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
     struct wf_arena *forces = newton ? newton : a;
     size_t n = b->mesh.n;
+    b->chain = n > 1 && !b->mesh.flat;
+    for (size_t i = 0; i < n && b->chain; i++) b->chain = b->mesh.part[i].parent == (int32_t)i - 1;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
     b->root_change = wf_arena_take(a, t->n, sizeof *b->root_change);

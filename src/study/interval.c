@@ -376,7 +376,7 @@ static enum wf_status solve_all(struct work *w, struct wf_solve_options *o, size
     if (!s) {
         w->like = middle.nodes;
         out->middle = first->critical;
-        s = wf_parallel(n, threads, one, w, e);
+        s = wf_parallel_abreast(n, threads, one, w, e);
     }
     close_sample(&middle);
     wf_arena_free(&scratch);
