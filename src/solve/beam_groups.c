@@ -490,28 +490,43 @@ static bool down(struct wf_groups_sweep *x)
     return !real_any(w.broken);
 }
 
-static void chains(struct wf_groups_sweep *const *x, size_t n)
+/* The elements of chains that are `from_top` below the last one of each. Returned: whether one is left that
+ * does not stand on the ground. */
+static bool some_of_chains(struct wf_groups_sweep *const *x, size_t n, size_t from_top, struct some *s)
+{
+    s->n = n;
+    while (s->n && x[s->n - 1]->mesh->n < from_top + 2) s->n--;
+    for (size_t k = 0; k < WF_WIDTH && s->n; k++)
+        s->of[k] = x[k < s->n ? k : 0], s->id[k] = s->of[k]->mesh->n - 1 - from_top;
+    set_here(s);
+    return s->n > 0;
+}
+
+static void chains_up(struct wf_groups_sweep *const *x, size_t n)
+{
+    struct some s;
+    for (size_t step = x[0]->mesh->n; step-- > 0;) {
+        if (some_of_chains(x, n, step, &s)) up_some(&s);
+    }
+}
+
+static void chains_down(struct wf_groups_sweep *const *x, size_t n)
 {
     struct work w;
-    struct some s = { .n = n };
+    struct some s;
     begin_work(x, n, &w);
     of_some *compute = kind_of(&w);
-    for (size_t step = 1; s.n; step++) {
-        while (s.n && x[s.n - 1]->mesh->n < step + 1) s.n--;
-        for (size_t k = 0; k < WF_WIDTH; k++)
-            s.of[k] = x[k < s.n ? k : 0], s.id[k] = s.of[k]->mesh->n - step;
-        set_here(&s);
-        if (s.n) compute(&w, &s, 0);
-    }
+    for (size_t step = 0; some_of_chains(x, n, step, &s); step++) compute(&w, &s, 0);
     for (size_t k = 0; k < n; k++) {
-        x[k]->bending = real_lane(w.misfit[0].bending, k), x[k]->energy = real_lane(w.misfit[0].energy, k);
-        x[k]->strain = sqrt(real_lane(w.misfit[0].strain, k)), x[k]->turn = sqrt(real_lane(w.misfit[0].turn, k));
+        const struct beam_misfit *m = &w.misfit[0];
+        x[k]->bending = real_lane(m->bending, k), x[k]->energy = real_lane(m->energy, k);
+        x[k]->strain = sqrt(real_lane(m->strain, k)), x[k]->turn = sqrt(real_lane(m->turn, k));
         x[k]->whole = !real_lane(w.broken, k);
     }
 }
 
 const struct wf_groups_kernel NAMED(WF_WIDTH) = {
-    .width = WF_WIDTH, .up = up, .down = down, .chains = chains
+    .width = WF_WIDTH, .up = up, .down = down, .chains_up = chains_up, .chains_down = chains_down
 };
 
 #if WF_WIDTH == 1 /* once */

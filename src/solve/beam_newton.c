@@ -38,8 +38,7 @@ static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->held 
 /* A stem by itself is computed beside those of other jobs. */
 static bool in_team(const struct wf_beam *b)
 {
-    return b->chain && wf_abreast_inside() && !b->held && !(b->creep > 0) && !b->frozen && !b->off && !b->weak &&
-           !b->loads.ties;
+    return b->chain && wf_abreast_inside() && !b->held && !(b->creep > 0) && !b->off && !b->weak && !b->loads.ties;
 }
 
 static struct wf_groups_sweep groups_of(const struct wf_beam *b)
@@ -63,15 +62,18 @@ static struct wf_groups_sweep groups_of(const struct wf_beam *b)
 void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
-    const bool groups = by_groups(b);
+    const bool groups = by_groups(b), many = groups || in_team(b);
     b->counted = false;
     for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i) && !(groups && b->mesh.part[i].parent >= 0))
+        if (!held(b, i) && !(many && b->mesh.part[i].parent >= 0))
             wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
                           &b->pose[i]);
-    if (groups) {
+    if (many) {
         struct wf_groups_sweep all = groups_of(b);
-        wf_groups_kernel(WF_LANES_MOST)->up(&all);
+        if (groups)
+            wf_groups_kernel(WF_LANES_MOST)->up(&all);
+        else
+            wf_beam_team_up(&all);
     }
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
         if (held(b, i)) continue;

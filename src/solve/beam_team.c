@@ -9,7 +9,8 @@
 static bool alike(const struct wf_groups_sweep *a, const struct wf_groups_sweep *b)
 {
     const struct wf_wind *x = a->loads->wind, *y = b->loads->wind;
-    return a->tangent == b->tangent && !a->small == !b->small && !x == !y &&
+    if (a->upwards || b->upwards) return a->upwards == b->upwards;
+    return a->tangent == b->tangent && a->frozen == b->frozen && !a->small == !b->small && !x == !y &&
            (!x || wf_wind_form(x) == wf_wind_form(y));
 }
 
@@ -42,7 +43,7 @@ static size_t take_alike(void **request, size_t *n, const struct wf_groups_sweep
 }
 
 /* The largest number that are alike; all lanes of the kernel are used, or the others have to wait. */
-static size_t down_together(void **request, size_t n)
+static size_t sweep_together(void **request, size_t n)
 {
     struct wf_groups_sweep *some[WF_LANES_MOST];
     const struct wf_groups_sweep *one = request[0];
@@ -53,12 +54,19 @@ static size_t down_together(void **request, size_t n)
         if (count > most) most = count, one = request[i];
     }
     size_t taken = take_alike(request, &n, one, lanes, some);
-    wf_groups_kernel(taken)->chains(some, taken);
+    const struct wf_groups_kernel *kernel = wf_groups_kernel(taken);
+    (one->upwards ? kernel->chains_up : kernel->chains_down)(some, taken);
     return n;
 }
 
 bool wf_beam_team_down(struct wf_groups_sweep *x)
 {
-    wf_abreast_join(down_together, x);
+    wf_abreast_join(sweep_together, x);
     return x->whole;
+}
+
+void wf_beam_team_up(struct wf_groups_sweep *x)
+{
+    x->upwards = true;
+    wf_abreast_join(sweep_together, x);
 }
