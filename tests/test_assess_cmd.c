@@ -153,6 +153,21 @@ static void scenarios(void **state)
         { "$W assess models/cards/oak.yaml --samples 0 --guy 25m:8m:270deg:400kN/m",
           CODE_INPUT,
           { "--guy: the stem does not reach 25 m" } },
+        /* cables join points of trees with branches */
+        { "$W analyze oak --model models/broadleaf.yaml --wind 15 --azimuth 115deg --peak mean --samples 0 "
+          "--cable 'id:99:id:58:200kN/m:1kN:breaks 40kN' --rod 3m:id:68@50%:3MN/m -o $T/braced --no-report "
+          "--search-time 2; grep -c '\"rod\"\\|\"id:68@50%\"' $T/braced/results.json; $W report $T/braced --no-pdf; sed "
+          "'s/<[^>]*>/ /g' $T/braced/report.html | grep -c 'Cables and rods between'",
+          CODE_OK,
+          { "it breaks at 40 kN: safety ", "  rod from 3m to id:68@50%: ",
+            "\n2\n", "\n1\n" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --cable 3m:5m:1kN/m",
+          CODE_INPUT,
+          { "--cable joins two points of a tree with branches; this one has a stem alone (a card draws no "
+            "branches)" } },
+        { "$W analyze oak --model models/broadleaf.yaml --wind 20 --solver rod --cable 3m:id:58:1kN/m -o $T/x",
+          CODE_INPUT,
+          { "--cable", "with the solver 'rod'" } },
         { "$W analyze oak --model models/oak_20m.yaml --wind 20 --solver chain --guy 9m:8m:1deg:1kN/m -o "
           "$T/x",
           CODE_INPUT,

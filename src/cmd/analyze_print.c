@@ -357,6 +357,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
     print_others(to, an, &v);
     print_anchorage(to, an);
     wf_print_guys(to, an);
+    wf_print_braces(to, an);
     print_room(to, an);
     print_first(to, an);
 }

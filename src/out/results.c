@@ -282,6 +282,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     if (a->tree.section && a->tree.section->cavity) wf_doc_put(d, o, "cavities", wf_part_walls(d, a));
     if (a->unions) wf_doc_put(d, o, "unions", wf_part_unions(d, a));
     if (a->scenario.guys) wf_doc_put(d, o, "guys", wf_part_guys(d, a));
+    if (a->scenario.braces) wf_doc_put(d, o, "braces", wf_part_braces(d, a));
     if (a->removals) wf_doc_put(d, o, "removals", wf_part_removals(d, a->removals));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
     if (a->winter) wf_doc_put(d, o, "winter", wf_part_wetted(d, a->winter));

@@ -3,8 +3,8 @@
 #include "base/abreast.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
+#include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
-#include "solve/beam_nodes.h"
 #include "solve/beam_rest.h"
 #include "solve/beam_team.h"
 #include <float.h>
@@ -38,7 +38,8 @@ static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->held 
 /* A stem by itself is computed beside those of other jobs. */
 static bool in_team(const struct wf_beam *b)
 {
-    return b->chain && wf_abreast_inside() && !b->held && !(b->creep > 0) && !b->off && !b->weak && !b->loads.ties;
+    return b->chain && wf_abreast_inside() && !b->held && !(b->creep > 0) && !b->off && !b->weak &&
+           !b->loads.ties && !b->loads.links;
 }
 
 static struct wf_groups_sweep groups_of(const struct wf_beam *b)
@@ -200,18 +201,17 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 {
     const bool groups = by_groups(b) || in_team(b);
     struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST), .most = groups ? 1 : AHEAD };
-    struct wf_beam_pose ground;
-    double first[3] = { 0, 0, 0 };
+    struct wf_beam_pose ground, lowest;
+    const double *first = wf_beam_base(b, 0, &lowest)->r;
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
     b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
     if (!b->held) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
-    wf_beam_load_nodes(b);
+    wf_beam_ends_load(b);
     set_side_weight(b);
-    if (tangent) wf_beam_react_nodes(b);
-    memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
+    if (tangent) wf_beam_ends_react(b);
     if (groups && !many_down(b, tangent, guard, count)) return false;
     for (size_t i = b->mesh.n; i-- > 0;) {
         if (held(b, i) || (groups && b->mesh.part[i].parent >= 0)) continue;
@@ -252,6 +252,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
         if (count && count->negative > unstable) count->bears = INFINITY;
     }
+    if (tangent && b->links && !wf_beam_links_join(b, count)) return false;
     if (count) b->stability = *count;
     b->counted = count && isfinite(b->misfit.bending);
     return isfinite(b->misfit.bending);
@@ -298,7 +299,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
         !b->pose || !b->stage || !b->wrench || !b->load || (newton && !take_newton(b, newton)) ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
-    return WF_OK;
+    return l->links && newton ? wf_beam_links_take(b, newton, e) : WF_OK;
 }
 
 /* Limit an element's own rotation; everything above it moves accordingly. base, end: changes of its ends. */

@@ -1,54 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_NEWTON_H
 #define WF_SOLVE_BEAM_NEWTON_H
-/* All elements of a tree together: sweeps up and down the tree, Newton's method, and what to do when Newton
+/* Sweeps up and down the tree, Newton's method, and what to do when Newton
  * stalls. */
-#include "solve/beam_element.h"
-#include "solve/beam_groups.h"
-
-struct wf_beam {
-    struct wf_beam_mesh mesh;
-    struct wf_beam_groups groups; /* of elements that are computed side by side */
-    bool chain; /* several elements, round, each on the one before: no branches */
-    struct wf_loads loads; /* a copy: load steps change its scale factors */
-    const struct wf_solve_options *options;
-    double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
-    double (*root_step)[3];      /* per row, for roots: Newton correction of tilt */
-    double (*root_change)[6];    /* per row, for roots: change of the base pose by that correction */
-    double (*root_give)[9];      /* per row, for roots: spin of the plate by moment */
-    double (*root_hold)[6][3];   /* per row, for roots: wrench on the ground by spin of the plate */
-    struct wf_beam_shape *shape; /* per element, as all below */
-    struct wf_beam_pose *pose;   /* of the element's end */
-    struct wf_beam_stage *stage;
-    struct wf_beam_flat *flat;     /* rotated with the element; NULL = all sections are round */
-    struct wf_beam_wrench *wrench; /* internal force and moment just below the element's end */
-    double (*load)[2][3];          /* at the Gauss points per length, of the last sweep down [N/m] */
-    struct wf_beam_reaction *node;
-    struct wf_beam_answer *answer;
-    double (*change)[6]; /* of the end */
-    double (*dv)[2][3];
-    double (*k0)[2][3];          /* curvature at the start of a creep step */
-    double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
-    struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
-    struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
-    wf_four (*root_moved)[6];    /* as `small`, per row, for roots: change of the base pose by small loads */
-    double creep;
-    bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
-    struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
-    struct wf_beam_misfit misfit;       /* of the present shape */
-    struct wf_beam_stability stability; /* of the present shape, where `counted` */
-    bool counted;
-    const bool *held; /* per element: it keeps its place, with all below it; NULL: none does */
-    bool *weak;   /* per element: set where it is unstable with all above it, when that is counted; NULL: not
-                     wanted */
-    double *off;  /* per element: gains its part of misfit.bending; NULL: not wanted */
-    size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
-    size_t iterations, steps;
-};
+#include "solve/beam_state.h"
 
 /* Build the mesh and the state with the unloaded shape. Mesh and shape (shape, pose, tilt, base) are in `a`;
  * what Newton's method works with (stage, wrench, load, node, answer, change, dv), two thirds of the memory,
- * in `newton`, which may be `a`; NULL: only sweeps down without the tangent will be made. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
+ * in `newton`, which may be `a`; NULL: only sweeps down without the tangent will be made. Errors: WF_ENOMEM,
+ * WF_EINPUT (rows not connected). */
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e);
@@ -108,10 +68,4 @@ bool wf_beam_apart(const struct wf_beam *b);
 /* Pose of the base of element i: the end of the element below, or the root plate (written to *ground).
  * Returned: a pointer to one of the two. */
 const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground);
-
-/* Section of element i in the deformed state; NULL: it is round. */
-static inline const struct wf_beam_flat *wf_beam_flat_of(const struct wf_beam *b, size_t i)
-{
-    return b->flat ? &b->flat[i] : NULL;
-}
 #endif

@@ -63,7 +63,7 @@ bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc)
 {
     const struct wf_anchorage_request *roots = sc->anchorage;
     bool round = m->generator == WF_GENERATOR_STEM && m->lean == 0 && !m->sections;
-    if (sc->guys || (roots && roots->lost > 0 && roots->lost_half < M_PI)) return false;
+    if (sc->guys || sc->braces || (roots && roots->lost > 0 && roots->lost_half < M_PI)) return false;
     for (size_t k = 0; k < m->cavities && round; k++)
         round = !isnan(m->cavity[k].wall) && m->cavity[k].offset == 0 && m->cavity[k].opening == 0;
     return round;

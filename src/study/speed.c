@@ -157,6 +157,13 @@ static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_load
 
 /* ---- One wind speed: wind -> load -> solve -> fail -> figures ---- */
 
+/* Where the end of a row is in the bent shape. */
+static void end_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double place[3])
+{
+    const double drawn[3] = { t->x1[row], t->y1[row], t->z1[row] };
+    for (size_t k = 0; k < 3; k++) place[k] = drawn[k] + r->end[3 * row + k];
+}
+
 static void totals_fill(const struct wf_analysis *an, const struct totals *all, double tip_deflection,
                         double tip_angle, struct wf_at_speed *out)
 {
@@ -174,11 +181,15 @@ static void totals_fill(const struct wf_analysis *an, const struct totals *all, 
     out->base_moment = hypot(moment[0], moment[1]);
     for (size_t k = 0; k < an->loads.ties; k++) {
         const struct wf_tie *tie = &an->loads.tie[k];
-        const struct wf_tree *t = &an->tree;
-        const double *moved = out->response.end + 3 * (size_t)tie->segment;
-        double place[3] = { t->x1[tie->segment], t->y1[tie->segment], t->z1[tie->segment] }, pull[3];
-        v3_add(place, 1, moved);
+        double place[3], pull[3];
+        end_at(&an->tree, &out->response, (size_t)tie->segment, place);
         out->tie[k] = wf_tie_pull(tie, place, pull, NULL);
+    }
+    for (size_t k = 0; k < an->loads.links; k++) {
+        const struct wf_link *link = &an->loads.link[k];
+        double end[2][3], pull[3];
+        for (int i = 0; i < 2; i++) end_at(&an->tree, &out->response, (size_t)link->segment[i], end[i]);
+        out->link[k] = wf_link_pull(link, end[0], end[1], pull);
     }
 }
 
@@ -395,6 +406,8 @@ void wf_speed_take_branches(const struct wf_analysis *an, const struct wf_at_spe
         at->worst[c][WF_SCOPE_BRANCHES] = *branch;
         at->worst[c][WF_SCOPE_TREE] = branch->row < 0 || stem->safety <= branch->safety ? *stem : *branch;
     }
+    for (size_t k = 0; k < an->loads.links; k++)
+        if (fabs(branches->link[k]) > fabs(at->link[k])) at->link[k] = branches->link[k];
     if (at->breakage.n && branches->breakage.n)
         take_stresses(&an->tree, &branches->breakage, &at->breakage);
     else if (branches->breakage.largest_stress > at->breakage.largest_stress)

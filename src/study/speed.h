@@ -50,6 +50,8 @@ struct wf_at_speed {
     double tip_angle;               /* between unloaded and loaded axis at the stem tip [rad] */
     double base_shear, base_moment; /* [N], [N m] */
     double tie[WF_TIES_MAX];        /* forces in the cables that hold the tree [N] */
+    double link[WF_LINKS_MAX];      /* in those between two points of it, at the peak of the load of stem or
+                                       branches, the larger; negative: a rod pushes [N] */
     struct wf_steady steady;        /* of the given speeds; of others unknown */
 };
 
