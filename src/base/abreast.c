@@ -62,7 +62,8 @@ static void start(void)
 static bool take_job(struct crew *c)
 {
     struct job *j = &c->job[c->n];
-    char *room = mmap(NULL, STACK + GUARD, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0);
+    char *room =
+        mmap(NULL, STACK + GUARD, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0);
     if (room == MAP_FAILED) return false;
     if (mprotect(room, GUARD, PROT_NONE) || getcontext(&j->at)) {
         (void)munmap(room, STACK + GUARD);

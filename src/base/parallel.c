@@ -59,11 +59,9 @@ static enum wf_status run(size_t n, size_t threads, size_t abreast,
                           struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
-    struct parallel_job c = { .n = n,
-                              .abreast = abreast,
-                              .one = one,
-                              .context = context,
-                              .why = WF_TAKE(&scratch, n, struct wf_err) };
+    struct parallel_job c = {
+        .n = n, .abreast = abreast, .one = one, .context = context, .why = WF_TAKE(&scratch, n, struct wf_err)
+    };
     if (n && !c.why) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu solutions", n);
     run_on_threads(&c, threads);
     enum wf_status s = WF_OK;

@@ -96,8 +96,8 @@ const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d)
     return &dimension_rows[(unsigned)d < WF_DIM_COUNT ? d : WF_DIM_NONE];
 }
 
-/* One that was closed, for the next: UDUNITS takes some 4 ms to read its database, and every file of a table of
- * trees needs units. */
+/* One that was closed, for the next: UDUNITS takes some 4 ms to read its database, and every file of a table
+ * of trees needs units. */
 static struct {
     pthread_mutex_t lock;
     struct wf_units *one;

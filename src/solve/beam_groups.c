@@ -285,8 +285,8 @@ static __attribute__((noinline)) void forces_of_some(struct work *w, const struc
 }
 
 /* Unstable directions, per element. */
-WF_INLINE void count_unstable(const struct work *w, const struct some *s, const struct taken *t,
-                              real S[6][6], const struct kinematics *k)
+WF_INLINE void count_unstable(const struct work *w, const struct some *s, const struct taken *t, real S[6][6],
+                              const struct kinematics *k)
 {
     real found = unstable_directions(&t->p, S, k, w->margin);
     for (size_t i = 0; i < s->n; i++) {
@@ -309,8 +309,7 @@ static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, 
 
 /* What is kept for small loads. S: the element's equations. */
 static __attribute__((noinline)) void keep_small(const struct some *s, const struct taken *t,
-                                                 const struct statics *q, real P[6][6],
-                                                 real S[6][6])
+                                                 const struct statics *q, real P[6][6], real S[6][6])
 {
     struct wf_beam_small o;
     real T[6][6];

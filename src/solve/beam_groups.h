@@ -53,9 +53,9 @@ struct wf_groups_kernel {
     /* Forces, residual, tangent; adds to `wrench` and `node` of the elements below. false: a tangent is
      * singular. */
     bool (*down)(struct wf_groups_sweep *x);
-    /* The same of up to `width` trees side by side, whose elements stand one on another, by falling numbers of
-     * elements; those on the ground are left out. On the way down they are alike in `tangent`, `frozen`, in
-     * `small` (wanted or not) and in the forms of their winds, and have no `off`, `weak` or ties. */
+    /* The same of up to `width` trees side by side, whose elements stand one on another, by falling numbers
+     * of elements; those on the ground are left out. On the way down they are alike in `tangent`, `frozen`,
+     * in `small` (wanted or not) and in the forms of their winds, and have no `off`, `weak` or ties. */
     void (*chains_up)(struct wf_groups_sweep *const *x, size_t n);
     void (*chains_down)(struct wf_groups_sweep *const *x, size_t n);
 };

@@ -22,8 +22,8 @@ static size_t count_alike(void *const *request, size_t n, const struct wf_groups
     return count;
 }
 
-/* Take up to `most` that are like the first of them out of the list. Returned: how many, by falling numbers of
- * elements. */
+/* Take up to `most` that are like the first of them out of the list. Returned: how many, by falling numbers
+ * of elements. */
 static size_t take_alike(void **request, size_t *n, const struct wf_groups_sweep *one, size_t most,
                          struct wf_groups_sweep **out)
 {
