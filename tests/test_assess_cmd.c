@@ -314,6 +314,12 @@ static void from_fit(void **state)
           "--pull-moment '5 kN*m' --soil mineral -o $T/o --no-report -q && grep -c 'role' $T/o/results.json",
           CODE_OK,
           { "\n" } },
+        /* what the record says is on the page, in both languages */
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples 0 -o $T/p --no-pdf -q; grep -c 'to the limit strain 0.003 the section bears' $T/p/report.html; "
+          "$W report $T/p --lang zh --no-pdf -q; grep -c '至极限应变 0.003 时截面承受' $T/p/report.html",
+          CODE_OK,
+          { "1\n1\n" } },
         { "cp $S $T/s.yaml; cp models/field/sample_pine.yaml $T; mkdir $T/data; cp "
           "models/field/data/sample_pull.csv "
           "$T/data; $W fit $T/s.yaml -o $T/f --no-profile --no-rival --no-report -q; echo '#' >>$T/s.yaml; "
@@ -358,6 +364,10 @@ static void refused(void **state)
           { "--height: '20kg': 'kg' is not a unit of a length; use one of: m, cm, mm",
             "--girth: 250 m is not between 0.05 m and 40 m", "did you mean 'oak'?",
             "--soil: 'clay' is none of mineral, gleyed, peaty, peat, unknown" } },
+        { "$W assess " OAK " --soil gley --samples 0; sed 's/^soil: mineral/soil: Gley/' models/cards/oak.yaml >$T/c.yaml; "
+          "$W assess $T/c.yaml --samples 0 -o $T/c --no-report | grep -c anchorage; grep -c '\"Gley\"' $T/c/results.json; true",
+          CODE_OK,
+          { "anchorage 416.7 kN m", "\n1\n0\n" } },
         { "$W assess --species oak --height 20 --girth 2.5 --dbh 0.5 --crown-width 14 --crown-base 25 --wind "
           "20",
           CODE_INPUT,

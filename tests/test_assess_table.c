@@ -102,6 +102,13 @@ static void tables(void **state)
           " && ls $T && wc -l <$T/o.csv",
           CODE_OK,
           { "o.csv\nt.csv\n2\n" } },
+        /* soils and seasons in four languages */
+        { "printf 'species,height,girth_cm,crown width,crown base,Bodenart,Saison\noak,20,250,14,4,Gley,belaubt\n"
+          "oak,20,250,14,4,潜育土,有叶\noak,20,250,14,4,sol à gley,feuillé\noak,20,250,14,4,gleyed,leaf_on\n"
+          "oak,20,250,14,4,clay,leaf_on\n' >$T/s.csv; $W assess $T/s.csv -q -o $T/so.csv" WIND
+          "; cut -d, -f8-13 $T/so.csv | sort | uniq -c | sed 's/^ *//'",
+          CODE_OK,
+          { "4 assessed,,", "1 mistake,\"soil: 'clay' is none of mineral, gleyed, peaty, peat, unknown\"" } },
         /* the same tree in the words of four languages, a decimal comma, other units */
         { "printf 'Baumart;H\xC3\xB6he (m);Umfang [cm];Kronenbreite;Kronenansatz\\noak;20,0;250;14;4\\n' "
           ">$T/d.csv; "

@@ -294,6 +294,11 @@ static void check_choice(struct wf_reading *r, size_t k, const char *text)
     size_t n = wf_option_choices(o, word, list, sizeof list);
     for (size_t i = 0; i < n; i++)
         if (strcmp(text, word[i]) == 0) return;
+    const char *meant = o->meant ? o->meant(text) : NULL;
+    if (meant) {
+        *(const char **)wf_option_member(r, k) = meant;
+        return;
+    }
     char all[768] = "";
     for (size_t i = 0, used = 0; i < n && used < sizeof all; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", word[i]);
