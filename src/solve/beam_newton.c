@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_newton.h"
+#include "base/abreast.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
 #include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
 #include "solve/beam_rest.h"
+#include "solve/beam_team.h"
 #include <float.h>
 
 enum { AHEAD = 8 }; /* elements whose loads are computed together */
@@ -33,6 +35,13 @@ static bool on_held(const struct wf_beam *b, size_t i)
 /* Are the elements that do not stand on the ground computed by groups? */
 static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->held && !(b->creep > 0); }
 
+/* A stem by itself is computed beside those of other jobs. */
+static bool in_team(const struct wf_beam *b)
+{
+    return b->chain && wf_abreast_inside() && !b->held && !(b->creep > 0) && !b->off && !b->weak &&
+           !b->loads.ties && !b->loads.links;
+}
+
 static struct wf_groups_sweep groups_of(const struct wf_beam *b)
 {
     return (struct wf_groups_sweep){ .mesh = &b->mesh,
@@ -54,15 +63,18 @@ static struct wf_groups_sweep groups_of(const struct wf_beam *b)
 void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
-    const bool groups = by_groups(b);
+    const bool groups = by_groups(b), many = groups || in_team(b);
     b->counted = false;
     for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i) && !(groups && b->mesh.part[i].parent >= 0))
+        if (!held(b, i) && !(many && b->mesh.part[i].parent >= 0))
             wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
                           &b->pose[i]);
-    if (groups) {
+    if (many) {
         struct wf_groups_sweep all = groups_of(b);
-        wf_groups_kernel()->up(&all);
+        if (groups)
+            wf_groups_kernel(WF_LANES_MOST)->up(&all);
+        else
+            wf_beam_team_up(&all);
     }
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
         if (held(b, i)) continue;
@@ -173,13 +185,13 @@ static struct wf_line_load *load_of(const struct wf_beam *b, size_t i, struct ah
     return load;
 }
 
-/* The groups on the way down. */
-static bool groups_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
+/* The elements that do not stand on the ground, by groups or beside those of other trees. */
+static bool many_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
 {
     struct wf_groups_sweep x = groups_of(b);
     x.tangent = tangent, x.guard = guard, x.counting = count;
     if (count) x.margin = count->margin;
-    bool whole = wf_groups_kernel()->down(&x);
+    bool whole = by_groups(b) ? wf_groups_kernel(WF_LANES_MOST)->down(&x) : wf_beam_team_down(&x);
     b->misfit = (struct wf_beam_misfit){ x.bending, x.energy, x.strain, x.turn };
     if (count) count->negative = x.negative, count->bears = x.bears;
     return whole;
@@ -187,7 +199,7 @@ static bool groups_down(struct wf_beam *b, bool tangent, bool guard, struct wf_b
 
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
-    const bool groups = by_groups(b);
+    const bool groups = by_groups(b) || in_team(b);
     struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST), .most = groups ? 1 : AHEAD };
     struct wf_beam_pose ground, lowest;
     const double *first = wf_beam_base(b, 0, &lowest)->r;
@@ -200,7 +212,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     wf_beam_ends_load(b);
     set_side_weight(b);
     if (tangent) wf_beam_ends_react(b);
-    if (groups && !groups_down(b, tangent, guard, count)) return false;
+    if (groups && !many_down(b, tangent, guard, count)) return false;
     for (size_t i = b->mesh.n; i-- > 0;) {
         if (held(b, i) || (groups && b->mesh.part[i].parent >= 0)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
@@ -270,6 +282,8 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     if (newton && !b->mesh.flat && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
     struct wf_arena *forces = newton ? newton : a;
     size_t n = b->mesh.n;
+    b->chain = n > 1 && !b->mesh.flat;
+    for (size_t i = 0; i < n && b->chain; i++) b->chain = b->mesh.part[i].parent == (int32_t)i - 1;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
     b->root_change = wf_arena_take(a, t->n, sizeof *b->root_change);
@@ -358,7 +372,7 @@ static bool newton_step(struct wf_beam *b, bool watch)
 {
     const double turn_limit = 3; /* [rad] rotation of a node in one step */
     /* relative residual before the last step: convergence is quadratic */
-    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.1);
+    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.3);
     double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     struct wf_beam_stability count;
@@ -456,7 +470,24 @@ bool wf_beam_finish(struct wf_beam *b)
     return wf_beam_sweep_down(b, false, NULL);
 }
 
-bool wf_beam_step(struct wf_beam *b) { return wf_beam_sweep_down(b, true, NULL) && wf_beam_finish(b); }
+bool wf_beam_step(struct wf_beam *b, bool *stable)
+{
+    struct wf_beam_stability count = { .margin = stable ? stability_margin(b) : 0 };
+    bool swept = wf_beam_sweep_down(b, true, stable ? &count : NULL);
+    if (stable) *stable = swept && wf_beam_stable(b);
+    return swept && wf_beam_finish(b);
+}
+
+bool wf_beam_apart(const struct wf_beam *b)
+{
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        bool follows = false;
+        for (int r = 0; r < 6 && !follows; r++)
+            for (int c = 0; c < 6; c++) follows = follows || b->answer[i].X[r][c] != 0;
+        if (!follows) return true;
+    }
+    return false;
+}
 
 /* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
  * the load reached. */

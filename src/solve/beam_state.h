@@ -9,6 +9,7 @@ struct wf_beam_links;
 struct wf_beam {
     struct wf_beam_mesh mesh;
     struct wf_beam_groups groups; /* of elements that are computed side by side */
+    bool chain;                   /* several elements, round, each on the one before: no branches */
     struct wf_loads loads;        /* a copy: load steps change its scale factors */
     const struct wf_solve_options *options;
     double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
