@@ -166,6 +166,12 @@
       <xsl:with-param name="b" select="format-number(100 * $a/least_reduction_cut, '0')"/>
     </xsl:call-template></p>
   </xsl:if>
+  <xsl:if test="$a/record/item">
+    <p><xsl:call-template name="say"><xsl:with-param name="id">as.record</xsl:with-param></xsl:call-template></p>
+    <ul>
+      <xsl:for-each select="$a/record/item"><li><xsl:value-of select="text"/></li></xsl:for-each>
+    </ul>
+  </xsl:if>
   <xsl:if test="$a/scenarios/item"><xsl:call-template name="as-scenarios"/></xsl:if>
   <xsl:if test="$a/directions/item"><xsl:call-template name="as-directions"/></xsl:if>
 </xsl:template>

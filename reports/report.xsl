@@ -199,6 +199,7 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:text>f.</xsl:text><xsl:value-of select="@name"/>
+          <xsl:if test="@name = 'stem' and count($trees) = 1">.one</xsl:if>
           <xsl:if test="@name = 'safety'">
             <xsl:choose>
               <xsl:when test="not($trees/winds/item/*[self::least_safety or self::loss_safety]/value != '')">.none</xsl:when>
@@ -345,7 +346,11 @@
     <tbody>
       <xsl:for-each select="$trees/guys/item">
         <tr>
-          <td><xsl:if test="position() = 1"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if></td>
+          <td>
+            <xsl:if test="not(preceding-sibling::item)">
+              <xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each>
+            </xsl:if>
+          </td>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="height/value"/></xsl:call-template>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="distance/value"/></xsl:call-template>
           <xsl:call-template name="cell">
@@ -354,6 +359,42 @@
           <xsl:call-template name="cell"><xsl:with-param name="x" select="stiffness/value div 1000"/></xsl:call-template>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="pretension/value div 1000"/></xsl:call-template>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="pull/value div 1000"/></xsl:call-template>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
+<!-- Cables and rods between two points of a tree. -->
+<xsl:template name="braces-table">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">bz.caption</xsl:with-param></xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">c.br.tree;c.bz.kind;c.bz.from;c.bz.to;c.gy.stiffness:kN/m;c.gy.pretension:kN;c.bz.slack:m;
+        c.bz.pull:kN;c.bz.speed:m/s;c.bz.breaking:kN;c.bz.safety</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="$trees/braces/item">
+        <tr>
+          <td>
+            <xsl:if test="not(preceding-sibling::item)">
+              <xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each>
+            </xsl:if>
+          </td>
+          <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('bz.', name)"/></xsl:call-template></td>
+          <td><xsl:value-of select="from_point"/></td>
+          <td><xsl:value-of select="to_point"/></td>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="stiffness/value div 1000"/></xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="pretension/value div 1000"/></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="slack/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="pull/value div 1000"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="breaking/value div 1000"/></xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>
@@ -465,6 +506,7 @@
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
         <xsl:if test="$trees/removals/item"><xsl:call-template name="removals-table"/></xsl:if>
         <xsl:if test="$trees/guys/item"><xsl:call-template name="guys-table"/></xsl:if>
+        <xsl:if test="$trees/braces/item"><xsl:call-template name="braces-table"/></xsl:if>
         <xsl:if test="$trees/winter">
           <xsl:call-template name="wetted-table"><xsl:with-param name="of">winter</xsl:with-param></xsl:call-template>
         </xsl:if>

@@ -28,7 +28,7 @@
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">sh.law</xsl:with-param>
-      <xsl:with-param name="text" select="concat($r/law/name, ': ', $r/law/title)"/>
+      <xsl:with-param name="text" select="concat($r/law/title, ' (', $r/law/name, ')')"/>
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.source</xsl:with-param><xsl:with-param name="text" select="string($r/law/source)"/>
@@ -187,8 +187,8 @@
   <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.shelter</xsl:with-param></xsl:call-template>
   <xsl:call-template name="inputs"/>
   <xsl:call-template name="slabs"/>
-  <xsl:call-template name="figure"><xsl:with-param name="name">shelter_slabs</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure"><xsl:with-param name="name">shelter_wind</xsl:with-param></xsl:call-template>
+  <xsl:call-template name="figure"><xsl:with-param name="name">shelter_slabs</xsl:with-param></xsl:call-template>
   <xsl:if test="$r/moved/passes">
     <xsl:call-template name="figure"><xsl:with-param name="name">shelter_motion</xsl:with-param></xsl:call-template>
     <xsl:call-template name="thirds"/>

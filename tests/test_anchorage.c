@@ -297,7 +297,7 @@ static void curves_that_are_refused(void **state)
     refused(true, "phi_deg,M\n0,0\n1,2\n", "moment_kNm");
     refused(true, "phi_deg,moment_foo\n0,0\n1,2\n", "moment_kNm");
     refused(true, "phi_deg,moment_kN\n0,0\n1,2\n", "moment_kNm");
-    refused(false, "species,soil,rooting,Nm_per_kg\noak,sand,,100\n", "'sand'");
+    refused(false, "species,soil,rooting,Nm_per_kg\noak,clay,,100\n", "'clay'");
     refused(false, "species,soil,rooting,Nm_per_kg\noak,peat,very,100\n", "'very'");
     refused(false, "species,soil,rooting,Nm_per_kg\noak,peat,deep,0\n", "Nm_per_kg");
     refused(false, "species,soil,rooting,Nm_per_kg\n,peat,deep,100\n", "a species is needed");
@@ -370,6 +370,25 @@ static void a_name_without_a_unit(void **state)
     folder_remove(&folder);
 }
 
+/* Words for the soil in four languages; clay may be the one or the other. */
+static void soil_words(void **state)
+{
+    (void)state;
+    static const char *const words[][2] = {
+        { "mineral", "mineral" },   { "Sandy loam", "mineral" }, { "Lehmboden", "mineral" }, { "sable", "mineral" },
+        { "sol minéral", "mineral" }, { "壤土", "mineral" },      { "gley", "gleyed" },       { "Pseudogley", "gleyed" },
+        { "sol à gley", "gleyed" }, { "潜育土", "gleyed" },       { "surface-water gley", "gleyed" },
+        { "anmoorig", "peaty" },    { "sol tourbeux", "peaty" }, { "Torf", "peat" },         { "tourbière", "peat" },
+        { "泥炭土", "peat" },       { "unbekannt", "unknown" },  { "clay", NULL },           { "Ton", NULL },
+        { "argile", NULL },         { "黏土", NULL },            { "", NULL },               { "gle", NULL },
+    };
+    for (size_t i = 0; i < WF_COUNT(words); i++) {
+        const char *meant = wf_soil_meant(words[i][0]);
+        if (!meant != !words[i][1] || (meant && strcmp(meant, words[i][1])))
+            fail_msg("%s: %s", words[i][0], meant ? meant : "none");
+    }
+}
+
 /* The row of soil and rooting; a blank cell fits everything, and one row must fit. */
 static void table_rows(void **state)
 {
@@ -383,7 +402,7 @@ static void table_rows(void **state)
     assert_true(folder_make(&folder));
     FILE *f = fopen(folder_file(&folder, "f.csv"), "w");
     assert_non_null(f);
-    fputs("species,soil,rooting,Nm_per_kg\nA TREE,mineral,deep,130\nA tree,mineral,shallow,110\nA "
+    fputs("species,soil,rooting,Nm_per_kg\nA TREE,Sand,deep,130\nA tree,mineral,shallow,110\nA "
           "tree,peat,,150\n"
           "oak,,,99\n",
           f);
@@ -585,7 +604,7 @@ int main(void)
         cmocka_unit_test(room_of_a_cantilever),
         cmocka_unit_test(room_is_used_up),
         cmocka_unit_test(curves_that_are_refused),
-        cmocka_unit_test(table_rows),
+        cmocka_unit_test(soil_words), cmocka_unit_test(table_rows),
         cmocka_unit_test(rigid_stem),
         cmocka_unit_test(safety_is_one),
         cmocka_unit_test(leaning_tree),

@@ -153,6 +153,21 @@ static void scenarios(void **state)
         { "$W assess models/cards/oak.yaml --samples 0 --guy 25m:8m:270deg:400kN/m",
           CODE_INPUT,
           { "--guy: the stem does not reach 25 m" } },
+        /* cables join points of trees with branches */
+        { "$W analyze oak --model models/broadleaf.yaml --wind 15 --azimuth 115deg --peak mean --samples 0 "
+          "--cable 'id:99:id:58:200kN/m:1kN:breaks 40kN' --rod 3m:id:68@50%:3MN/m -o $T/braced --no-report "
+          "--search-time 2; grep -c '\"rod\"\\|\"id:68@50%\"' $T/braced/results.json; $W report $T/braced --no-pdf; sed "
+          "'s/<[^>]*>/ /g' $T/braced/report.html | grep -c 'Cables and rods between'",
+          CODE_OK,
+          { "it breaks at 40 kN: safety ", "  rod from 3m to id:68@50%: ",
+            "\n2\n", "\n1\n" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --cable 3m:5m:1kN/m",
+          CODE_INPUT,
+          { "--cable joins two points of a tree with branches; this one has a stem alone (a card draws no "
+            "branches)" } },
+        { "$W analyze oak --model models/broadleaf.yaml --wind 20 --solver rod --cable 3m:id:58:1kN/m -o $T/x",
+          CODE_INPUT,
+          { "--cable", "with the solver 'rod'" } },
         { "$W analyze oak --model models/oak_20m.yaml --wind 20 --solver chain --guy 9m:8m:1deg:1kN/m -o "
           "$T/x",
           CODE_INPUT,
@@ -299,6 +314,12 @@ static void from_fit(void **state)
           "--pull-moment '5 kN*m' --soil mineral -o $T/o --no-report -q && grep -c 'role' $T/o/results.json",
           CODE_OK,
           { "\n" } },
+        /* what the record says is on the page, in both languages */
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples 0 -o $T/p --no-pdf -q; grep -c 'to the limit strain 0.003 the section bears' $T/p/report.html; "
+          "$W report $T/p --lang zh --no-pdf -q; grep -c '至极限应变 0.003 时截面承受' $T/p/report.html",
+          CODE_OK,
+          { "1\n1\n" } },
         { "cp $S $T/s.yaml; cp models/field/sample_pine.yaml $T; mkdir $T/data; cp "
           "models/field/data/sample_pull.csv "
           "$T/data; $W fit $T/s.yaml -o $T/f --no-profile --no-rival --no-report -q; echo '#' >>$T/s.yaml; "
@@ -343,6 +364,10 @@ static void refused(void **state)
           { "--height: '20kg': 'kg' is not a unit of a length; use one of: m, cm, mm",
             "--girth: 250 m is not between 0.05 m and 40 m", "did you mean 'oak'?",
             "--soil: 'clay' is none of mineral, gleyed, peaty, peat, unknown" } },
+        { "$W assess " OAK " --soil gley --samples 0; sed 's/^soil: mineral/soil: Gley/' models/cards/oak.yaml >$T/c.yaml; "
+          "$W assess $T/c.yaml --samples 0 -o $T/c --no-report | grep -c anchorage; grep -c '\"Gley\"' $T/c/results.json; true",
+          CODE_OK,
+          { "anchorage 416.7 kN m", "\n1\n0\n" } },
         { "$W assess --species oak --height 20 --girth 2.5 --dbh 0.5 --crown-width 14 --crown-base 25 --wind "
           "20",
           CODE_INPUT,

@@ -102,6 +102,13 @@ static void tables(void **state)
           " && ls $T && wc -l <$T/o.csv",
           CODE_OK,
           { "o.csv\nt.csv\n2\n" } },
+        /* soils and seasons in four languages */
+        { "printf 'species,height,girth_cm,crown width,crown base,Bodenart,Saison\noak,20,250,14,4,Gley,belaubt\n"
+          "oak,20,250,14,4,潜育土,有叶\noak,20,250,14,4,sol à gley,feuillé\noak,20,250,14,4,gleyed,leaf_on\n"
+          "oak,20,250,14,4,clay,leaf_on\n' >$T/s.csv; $W assess $T/s.csv -q -o $T/so.csv" WIND
+          "; cut -d, -f8-13 $T/so.csv | sort | uniq -c | sed 's/^ *//'",
+          CODE_OK,
+          { "4 assessed,,", "1 mistake,\"soil: 'clay' is none of mineral, gleyed, peaty, peat, unknown\"" } },
         /* the same tree in the words of four languages, a decimal comma, other units */
         { "printf 'Baumart;H\xC3\xB6he (m);Umfang [cm];Kronenbreite;Kronenansatz\\noak;20,0;250;14;4\\n' "
           ">$T/d.csv; "
@@ -306,11 +313,30 @@ static void goes_on(void **state)
     CHECK(rows);
 }
 
+/* A row's cells do not depend on the rows beside it, on threads, nor on the width of vector instructions. */
+static void rows_do_not_mix(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "set -e; F=docs/examples/forty_trees.csv; A=\"-q --soil mineral --wind 25\"; $W assess $F $A -o $T/a.csv --threads 1; "
+          "for l in 1 4 8; do for t in 1 2; do WINDFIRM_LANES=$l $W assess $F $A -o $T/b.csv --threads $t; cmp "
+          "$T/a.csv $T/b.csv; done; done; for k in 3 17 25 42; do (head -2 $F; sed -n ${k}p $F) >$T/t.csv; $W assess "
+          "$T/t.csv $A -o $T/b.csv; tail -1 $T/b.csv >$T/c; sed -n ${k}p $T/a.csv | cmp - $T/c; done; (head -2 $F; "
+          "sed -n '40p;6p;41p;5p;12p' $F) >$T/t.csv; for t in 1 2; do $W assess $T/t.csv $A --samples 20 -o "
+          "$T/i$t.csv --threads $t; done; cmp $T/i1.csv $T/i2.csv; (head -2 $F; sed -n '5p' $F) >$T/t.csv; $W assess "
+          "$T/t.csv $A --samples 20 -o $T/b.csv; tail -1 $T/b.csv >$T/c; sed -n 3p $T/i1.csv | cmp - $T/c; echo "
+          "alike",
+          CODE_OK,
+          { "alike\n", NULL } },
+    };
+    CHECK(rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(rows), cmocka_unit_test(tables),
                                         cmocka_unit_test(reports), cmocka_unit_test(hostile),
-                                        cmocka_unit_test(goes_on),
+                                        cmocka_unit_test(goes_on), cmocka_unit_test(rows_do_not_mix),
                                         cmocka_unit_test(scans) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,12 +7,12 @@ LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 SHOWN = ARGC > 3 ? int(ARG4) : 1
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
-MODES = int(number(sprintf('MODES_%d', SHOWN), 0)); TALL = number('HEIGHT', 0)
+MODES = int(number(sprintf('MODES_%d', SHOWN), 0)); TALL = PER_M*number('HEIGHT', 0)
 SHAPES = DIR.'/tables/mode_shapes.csv'
 mine(k) = column("run") == SHOWN && column("mode") == k
 side(k) = (MODE_D = k > 0 ? text_of(sprintf('DIRECTION_%d', SHOWN), k) : '', MODE_D eq 'across' || (MODE_D ne 'along' && number(sprintf('ACROSS_%d', SHOWN), k) > 0))
-x(k, end) = side(k) ? column(sprintf('across%d_m', end)) : column(sprintf('along%d_m', end))
-z(end) = column(sprintf('z%d_m', end))
+x(k, end) = PER_M*(side(k) ? column(sprintf('across%d_m', end)) : column(sprintf('along%d_m', end)))
+z(end) = PER_M*column(sprintf('z%d_m', end))
 GROW = 0.1*TALL
 mx(k, end) = x(k, end) + GROW*(side(k) ? column(sprintf('move_across%d', end)) : column(sprintf('move_along%d', end)))
 mz(end) = z(end) + GROW*column(sprintf('move_up%d', end))
@@ -26,11 +26,11 @@ do for [k=0:MODES] {
 }
 low = low - 1.15*GROW; high = high + 1.15*GROW; top = top + 0.6*GROW; floor = floor < 0 ? floor - 0.3*GROW : 0
 WIDTH = 640.0; LEFT = 50.0; GAP = 20.0; TITLE = 34.0; UNDER = 46.0; KEY = 34.0
-columns = MODES < 2 ? 2 : 3
+columns = MODES < 2 ? 2 : MODES < 4 ? 3 : 4
 rows = (MODES + columns)/columns
 w = (WIDTH - LEFT - 12)/columns - GAP
 scale = w/(high - low)
-most = rows > 1 ? 300.0 : 380.0
+most = rows > 1 ? 110.0 : 300.0
 scale = scale*(top - floor) > most ? most/(top - floor) : scale
 w = scale*(high - low); h = scale*(top - floor)
 room = (WIDTH - LEFT - 12)/columns

@@ -78,6 +78,7 @@ void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
     struct wf_arena scratch = { 0 };
     struct wf_said said;
     struct wf_finding f = { .severity = WF_WARNING, .code = code };
+    if (d->mute) return;
     va_start(args, fmt);
     va_copy(again, args);
     (void)vsnprintf(text, sizeof text, fmt, args);

@@ -66,6 +66,7 @@ struct wf_diag {
     struct wf_arena *arena; /* set by the caller before first use */
     struct wf_finding *first, *last;
     size_t errors, warnings;
+    bool mute; /* set by the caller: warnings are not wanted */
 };
 
 /* Add an error. Given: file (NULL: none), line and column (1-based; 0: unknown), a printf format. An error is

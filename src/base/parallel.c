@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/parallel.h"
+#include "base/abreast.h"
 #include "base/arena.h"
 #include "base/interrupt.h"
 #include <pthread.h>
@@ -10,6 +11,7 @@ enum { THREADS_MAX = 64 };
 
 struct parallel_job {
     size_t n;
+    size_t abreast;     /* jobs of a thread by turns */
     atomic_size_t next; /* lowest k that no thread has started */
     enum wf_status (*one)(void *context, size_t k, struct wf_err *e);
     void *context;
@@ -32,25 +34,33 @@ static void *parallel_worker(void *parallel_job)
     return NULL;
 }
 
+static void *thread_begins(void *parallel_job)
+{
+    struct parallel_job *c = parallel_job;
+    if (c->abreast < 2) return parallel_worker(c);
+    wf_abreast(c->abreast < c->n ? c->abreast : c->n, parallel_worker, c);
+    return NULL;
+}
+
 /* If a thread cannot be started, the others do its work. */
 static void run_on_threads(struct parallel_job *c, size_t threads)
 {
     pthread_t thread[THREADS_MAX];
     size_t wanted = wf_parallel_threads(threads), started = 0;
     while (started + 1 < wanted && started + 1 < c->n &&
-           pthread_create(&thread[started], NULL, parallel_worker, c) == 0)
+           pthread_create(&thread[started], NULL, thread_begins, c) == 0)
         started++;
-    parallel_worker(c);
+    (void)thread_begins(c);
     for (size_t k = 0; k < started; k++) pthread_join(thread[k], NULL);
 }
 
-enum wf_status wf_parallel(size_t n, size_t threads,
-                           enum wf_status (*one)(void *context, size_t k, struct wf_err *e), void *context,
-                           struct wf_err *e)
+static enum wf_status run(size_t n, size_t threads, size_t abreast,
+                          enum wf_status (*one)(void *context, size_t k, struct wf_err *e), void *context,
+                          struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct parallel_job c = {
-        .n = n, .one = one, .context = context, .why = WF_TAKE(&scratch, n, struct wf_err)
+        .n = n, .abreast = abreast, .one = one, .context = context, .why = WF_TAKE(&scratch, n, struct wf_err)
     };
     if (n && !c.why) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu solutions", n);
     run_on_threads(&c, threads);
@@ -60,4 +70,18 @@ enum wf_status wf_parallel(size_t n, size_t threads,
     if (!s && c.next < n) s = wf_fail(e, WF_EINTERRUPTED, "interrupted");
     wf_arena_free(&scratch);
     return s;
+}
+
+enum wf_status wf_parallel(size_t n, size_t threads,
+                           enum wf_status (*one)(void *context, size_t k, struct wf_err *e), void *context,
+                           struct wf_err *e)
+{
+    return run(n, threads, 1, one, context, e);
+}
+
+enum wf_status wf_parallel_abreast(size_t n, size_t threads,
+                                   enum wf_status (*one)(void *context, size_t k, struct wf_err *e),
+                                   void *context, struct wf_err *e)
+{
+    return run(n, threads, WF_ABREAST, one, context, e);
 }

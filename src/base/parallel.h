@@ -15,4 +15,8 @@ size_t wf_parallel_threads(size_t asked);
 enum wf_status wf_parallel(size_t n, size_t threads,
                            enum wf_status (*one)(void *context, size_t k, struct wf_err *e), void *context,
                            struct wf_err *e);
+/* The same, with several k by turns on each thread (base/abreast.h). */
+enum wf_status wf_parallel_abreast(size_t n, size_t threads,
+                                   enum wf_status (*one)(void *context, size_t k, struct wf_err *e),
+                                   void *context, struct wf_err *e);
 #endif

@@ -374,3 +374,17 @@ char *wf_base64(const void *bytes, size_t n, struct wf_arena *a)
     if (text) *to = '\0';
     return text;
 }
+
+bool wf_text_among(const char *names, const char *text)
+{
+    struct wf_arena scratch = { 0 };
+    const char *folded = wf_text_folded(text, &scratch);
+    size_t n = folded ? strlen(folded) : 0;
+    bool found = false;
+    for (const char *at = names; n && *at && !found; at += strcspn(at, " "), at += *at == ' ') {
+        found = strcspn(at, " ") == n;
+        for (size_t i = 0; i < n && found; i++) found = at[i] == (folded[i] == ' ' ? '_' : folded[i]);
+    }
+    wf_arena_free(&scratch);
+    return found;
+}

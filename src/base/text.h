@@ -51,6 +51,9 @@ size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to);
  * Chinese, as it is. Returned: text in the arena, NULL without memory. */
 const char *wf_text_folded(const char *text, struct wf_arena *a);
 
+/* Is a text one of the names, which have blanks between and are written as it folds, with '_' for a blank? */
+bool wf_text_among(const char *names, const char *text);
+
 /* Distance between two words, letter case of ASCII ignored: the number of changes, insertions, deletions and
  * swaps of neighbouring characters (Damerau 1964, Levenshtein 1966; optimal string alignment). Returned:
  * (size_t)-1 when a word is longer than 63 characters. */

@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -95,7 +96,24 @@ const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d)
     return &dimension_rows[(unsigned)d < WF_DIM_COUNT ? d : WF_DIM_NONE];
 }
 
-void wf_units_close(struct wf_units *u)
+/* One that was closed, for the next: UDUNITS takes some 4 ms to read its database, and every file of a table
+ * of trees needs units. */
+static struct {
+    pthread_mutex_t lock;
+    struct wf_units *one;
+} spare = { .lock = PTHREAD_MUTEX_INITIALIZER };
+
+/* Exchange the spare one for another; NULL: none. */
+static struct wf_units *exchange(struct wf_units *u)
+{
+    pthread_mutex_lock(&spare.lock);
+    struct wf_units *out = spare.one;
+    spare.one = u;
+    pthread_mutex_unlock(&spare.lock);
+    return out;
+}
+
+static void drop(struct wf_units *u)
 {
     if (!u) return;
     for (size_t i = 0; i < u->kept; i++) cv_free(u->keep[i].to_si);
@@ -103,6 +121,11 @@ void wf_units_close(struct wf_units *u)
         if (u->si[i]) ut_free(u->si[i]);
     if (u->system) ut_free_system(u->system);
     free(u);
+}
+
+void wf_units_close(struct wf_units *u)
+{
+    if (u) drop(exchange(u));
 }
 
 /* What UDUNITS takes at most, with a margin, to read its database and to read a unit [bytes]. */
@@ -138,6 +161,7 @@ static enum wf_status database_fails(ut_status why, struct wf_err *e)
 
 enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
 {
+    if ((*out = exchange(NULL))) return WF_OK;
     (void)ut_set_error_message_handler(ut_ignore); /* by default UDUNITS writes to stderr */
     struct wf_units *u = calloc(1, sizeof *u);
     *out = u;
@@ -154,7 +178,7 @@ enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
         ok = (u->si[i] = ut_parse(u->system, dimension_rows[i].si, UT_UTF8)) != NULL;
     if (ok) return WF_OK;
     enum wf_status s = database_fails(errno == ENOMEM ? UT_OS : ut_get_status(), e);
-    wf_units_close(u);
+    drop(u);
     *out = NULL;
     return s;
 }

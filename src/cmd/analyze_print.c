@@ -357,6 +357,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
     print_others(to, an, &v);
     print_anchorage(to, an);
     wf_print_guys(to, an);
+    wf_print_braces(to, an);
     print_room(to, an);
     print_first(to, an);
 }
@@ -417,6 +418,24 @@ void wf_print_head(FILE *to, const struct wf_analysis *first)
     wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");
 }
 
+/* The movement of a crown that reaches above its stem. */
+static void print_top(FILE *to, const struct wf_analysis *an)
+{
+    size_t top = wf_top_row(&an->tree);
+    if (an->tree.level[top] == 0) return;
+    wf_show(to,
+            "  the tip is that of the stem; the crown's top, %.4g m high on a %s, moves in the mean wind:\n",
+            an->tree.z1[top], wf_model_level_name(an->model, an->species, an->tree.level[top]));
+    for (size_t i = 0; i < an->n; i++) {
+        wf_show(to, i ? ", " : "    ");
+        if (isfinite(an->at[i].steady.top_deflection))
+            wf_show(to, "%.3g m at %.6g m/s", an->at[i].steady.top_deflection, an->at[i].speed);
+        else
+            wf_show(to, "no equilibrium at %.6g m/s", an->at[i].speed);
+    }
+    wf_show(to, "\n");
+}
+
 void wf_print_speeds(FILE *to, const struct wf_analysis *an)
 {
     wf_show(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
@@ -433,6 +452,7 @@ void wf_print_speeds(FILE *to, const struct wf_analysis *an)
         lost = lost || wf_verdict_safety(&an->at[i], NULL) <= 1;
         print_speed(to, an, &an->at[i], lost);
     }
+    print_top(to, an);
 }
 
 /* A critical speed, or what is known of it. */
@@ -467,7 +487,7 @@ static void print_tornado(FILE *to, const struct wf_interval *i)
 {
     enum { SHOWN = 3 };
     bool shown[WF_VARIED_MAX] = { false };
-    char range[80];
+    char range[80], key[80];
     const char *before = "  most of it by ";
     for (size_t n = 0; n < SHOWN && n < i->variation.n; n++) {
         size_t best = 0;
@@ -477,7 +497,8 @@ static void print_tornado(FILE *to, const struct wf_interval *i)
         const struct wf_varied *v = &i->variation.varied[best];
         shown[best] = true;
         if (!wf_interval_arm_text(i, best, range, sizeof range)) continue;
-        wf_show(to, "%s%s%s (%s)", before, wf_varied_prefix(v), v->name, range);
+        (void)snprintf(key, sizeof key, "%s%s", wf_varied_prefix(v), v->name);
+        wf_show(to, "%s%s (%s)", before, key, range);
         before = "; ";
     }
     if (*before == ';') wf_show(to, "\n");

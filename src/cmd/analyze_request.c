@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/analyze_request.h"
 #include "base/num.h"
+#include "study/brace.h"
 #include "study/guy.h"
 #include "study/removal.h"
 #include "wind/climate.h"
@@ -147,6 +148,13 @@ const struct wf_option wf_analyze_options[] = {
         "pulls: 9m:8m:225deg:400kN/m:2kN; its force is printed, its strength and the anchor's are not "
         "assessed",
         .unused = guy_unused),
+    TEXTS("--cable", cables, "FROM:TO:STIFFNESS[:PRETENSION][:slack LENGTH][:breaks FORCE]",
+          "a cable between two points of the tree, each a height on the stem (9m), the end of a segment "
+          "(id:14) or a place in it (id:14@40%), a spring that only pulls: id:14:id:27:200kN/m:1kN:breaks "
+          "40kN; its force is printed, and beside a breaking load its safety",
+          .unused = guy_unused),
+    TEXTS("--rod", rods, "FROM:TO:STIFFNESS[:PRETENSION][:breaks FORCE]",
+          "a rod, which also pushes; whether it buckles is not assessed", .unused = guy_unused),
     TEXTS("--remove", remove, "PART[+PART],...",
           "beside the tree as it stands: without a level of branches (level:2, or its name) or the segment "
           "with "
@@ -283,6 +291,19 @@ static enum wf_status read_exposure(const struct wf_analyze_options *o, struct w
     return expose_site(site, o->at, a, s, q, e);
 }
 
+/* Cables, then rods. */
+static enum wf_status read_braces(const struct wf_analyze_options *o, struct wf_arena *a,
+                                  struct wf_scenario *s, struct wf_err *e)
+{
+    struct wf_brace *list = WF_TAKE(a, WF_LINKS_MAX, struct wf_brace);
+    enum wf_status status = list ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for cables");
+    s->braces = 0;
+    if (!status && o->cables) status = wf_braces_read(o->cables, false, a, list, &s->braces, e);
+    if (!status && o->rods) status = wf_braces_read(o->rods, true, a, list, &s->braces, e);
+    s->brace = list;
+    return status;
+}
+
 enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struct wf_arena *a,
                                        struct wf_diag *d, struct wf_analyze_request *out, struct wf_err *e)
 {
@@ -298,6 +319,7 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     if (o->remove && (status = wf_removals_read(o->remove, a, &out->removed, &out->removals, e)))
         return status;
     if (o->guys && (status = wf_guys_read(o->guys, o->north, a, &s->guy, &s->guys, e))) return status;
+    if ((status = read_braces(o, a, s, e))) return status;
     s->winds_said = o->args.winds_said;
     s->wind_notes = o->args.wind_notes;
     s->azimuth = o->azimuth;

@@ -39,7 +39,7 @@ struct wf_analyze_options {
     double corridor, corridor_towards, tip_angle; /* [m], [rad], [rad]; NAN: not given */
     double node_spacing;                          /* [m]; NAN: not given */
     bool unions;
-    const char *guys, *remove; /* NULL: none */
+    const char *guys, *cables, *rods, *remove; /* NULL: none */
     struct wf_pages pages;
     struct wf_job job;
 };

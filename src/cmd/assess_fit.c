@@ -8,7 +8,6 @@
 #include "fit/calibration.h"
 #include "out/folder.h"
 #include "out/reader.h"
-#include "study/assessment.h"
 #include "study/verdict.h"
 #include <math.h>
 #include <string.h>
@@ -219,72 +218,96 @@ static double moment_at(const struct wf_analysis *an, double height)
     return NAN;
 }
 
-static void print_plate(FILE *to, const struct wf_assess_record *r, const struct wf_analysis *an)
+/* The code of what a record says. */
+#define RECORD "record"
+
+static void say_plate(struct wf_diag *d, const struct wf_assess_record *r, const struct wf_analysis *an)
 {
     double wind = an->at[an->n - 1].base_moment, largest = r->most * 180 / WF_PI;
     if (isnan(r->quarter))
-        wf_show(to, "  %s, %s: the plate turned by %.2f deg at most: no moment at 0.25 deg is known\n",
-                r->test, r->sensor, largest);
+        wf_diag_warn(d, RECORD,
+                     "%s, %s: the plate turned by %.2f deg at most: no moment at 0.25 deg is known", r->test,
+                     r->sensor, largest);
     else
-        wf_show(
-            to,
-            "  %s, %s: 2.5 x %.4g kN m at 0.25 deg over %.4g kN m in the wind: safety against overturning "
-            "%.2f\n",
+        wf_diag_warn(
+            d, RECORD,
+            "%s, %s: 2.5 x %.4g kN m at 0.25 deg over %.4g kN m in the wind: safety against overturning "
+            "%.2f",
             r->test, r->sensor, r->quarter / 1e3, wind / 1e3, 2.5 * r->quarter / wind);
     if (largest > 0.26)
-        wf_show(to, "    it turned by %.2f deg, beyond the 0.25 deg that tests without harm stay below\n",
-                largest);
+        wf_diag_warn(d, RECORD,
+                     "%s, %s: it turned by %.2f deg, beyond the 0.25 deg that tests without harm stay below",
+                     r->test, r->sensor, largest);
 }
 
 /* A record in wind has no moment of its own to compare with. */
-static void print_wind(FILE *to, const struct wf_assess_record *r, const struct wf_analysis *an)
+static void say_wind(struct wf_diag *d, const struct wf_assess_record *r, const struct wf_analysis *an)
 {
     const struct wf_verdict v = wf_verdict_of(an->breaks);
     const struct wf_critical *c = v.loss ? &v.loss->critical : NULL;
-    wf_show(to, "  %s, %s: the plate turned by up to %.2f deg, in a wind of %.3g m/s\n", r->test, r->sensor,
-            r->most * 180 / WF_PI, r->wind);
+    wf_diag_warn(d, RECORD, "%s, %s: the plate turned by up to %.2f deg, in a wind of %.3g m/s", r->test,
+                 r->sensor, r->most * 180 / WF_PI, r->wind);
     if (c && c->outcome == WF_CRITICAL_FOUND && r->wind > c->speed)
-        wf_show(
-            to,
-            "    it stood that wind, which is above the critical wind of %.3g m/s if both are named at one "
-            "place: compare them before the verdict is used\n",
-            c->speed);
+        wf_diag_warn(
+            d, RECORD,
+            "%s, %s: it stood that wind, which is above the critical wind of %.3g m/s if both are named at "
+            "one place: compare them before the verdict is used",
+            r->test, r->sensor, c->speed);
 }
 
-static void print_strain(FILE *to, const struct wf_assess_record *r, const struct wf_analysis *an)
+static void say_strain(struct wf_diag *d, const struct wf_assess_record *r, const struct wf_analysis *an)
 {
     const struct wf_level *l = &an->species->level[0];
     double limit = l->compressive_strength.value / l->youngs_modulus.value;
     double wind = moment_at(an, r->height), lever = r->level * (r->rope - r->height);
     if (!(l->compressive_strength.value > 0) || !(wind > 0) || !(r->slope > 0)) return;
-    wf_show(
-        to,
-        "  %s, %s at %.3g m: to the limit strain %.2g the section bears %.4g kN m; in the wind %.4g kN m: "
-        "safety against breakage %.2f\n",
+    wf_diag_warn(
+        d, RECORD,
+        "%s, %s at %.3g m: to the limit strain %.2g the section bears %.4g kN m; in the wind %.4g kN m: "
+        "safety against breakage %.2f",
         r->test, r->sensor, r->height, limit, limit / r->slope * lever / 1e3, wind / 1e3,
         limit / r->slope * lever / wind);
     if (r->most > 0.4 * limit)
-        wf_show(to, "    it was strained to %.0f %% of that limit; tests without harm stay below 40 %%\n",
-                100 * r->most / limit);
+        wf_diag_warn(d, RECORD,
+                     "%s, %s: it was strained to %.0f %% of that limit; tests without harm stay below 40 %%",
+                     r->test, r->sensor, 100 * r->most / limit);
 }
 
-void wf_assess_fit_print(FILE *to, const struct wf_assess_fit *f, const struct wf_analysis *an)
+enum wf_status wf_assess_fit_say(const struct wf_assess_fit *f, const struct wf_analysis *an,
+                                 struct wf_arena *a, struct wf_assessment *out, struct wf_err *e)
 {
-    wf_show(to, "\n  straight from the record of %s\n", f->study);
+    struct wf_diag *d = WF_TAKE(a, 1, struct wf_diag);
+    if (!d) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
+    d->arena = a;
     for (size_t k = 0; k < f->records; k++)
         if (f->record[k].in_wind)
-            print_wind(to, &f->record[k], an);
+            say_wind(d, &f->record[k], an);
         else if (isnan(f->record[k].slope))
-            print_plate(to, &f->record[k], an);
+            say_plate(d, &f->record[k], an);
         else
-            print_strain(to, &f->record[k], an);
-    if (!f->records) wf_show(to, "  it has no tilt of the root plate, and no strain under a rope\n");
+            say_strain(d, &f->record[k], an);
+    if (!f->records) wf_diag_warn(d, RECORD, "it has no tilt of the root plate, and no strain under a rope");
     if (f->root.given)
-        wf_show(to,
-                "  a stiffness at small tilt does not give the anchorage's strength beyond it: 2.5 times the "
-                "moment at 0.25 deg is a rule of pulling tests\n");
+        wf_diag_warn(
+            d, RECORD,
+            "a stiffness at small tilt does not give the anchorage's strength beyond it: 2.5 times the "
+            "moment at 0.25 deg is a rule of pulling tests");
     for (size_t k = 0; k < f->records && k < 1 && !f->record[k].in_wind; k++) {
         double away = remainder(f->record[k].azimuth - an->scenario.azimuth, 2 * WF_PI) * 180 / WF_PI;
-        wf_show(to, "  pulled %.0f deg away from the direction of the wind that was assessed\n", fabs(away));
+        wf_diag_warn(d, RECORD, "pulled %.0f deg away from the direction of the wind that was assessed",
+                     fabs(away));
+    }
+    out->record = d;
+    return WF_OK;
+}
+
+void wf_assess_fit_print(FILE *to, const struct wf_assess_fit *f, const struct wf_assessment *x)
+{
+    wf_show(to, "\n  straight from the record of %s\n", f->study);
+    for (const struct wf_finding *w = x->record->first; w; w = w->next) {
+        struct wf_arena scratch = { 0 };
+        const char *own = wf_show_words(w->said, &scratch);
+        wf_show(to, "  %s\n", own ? own : w->text);
+        wf_arena_free(&scratch);
     }
 }

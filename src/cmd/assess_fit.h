@@ -6,6 +6,7 @@
 #include "base/err.h"
 #include "data/species.h"
 #include "study/analysis.h"
+#include "study/assessment.h"
 #include <stdio.h>
 
 /* A line of a record: what one sensor shows under the force of a rope, or in wind. */
@@ -36,6 +37,8 @@ enum wf_status wf_assess_fit_read(const char *folder, struct wf_arena *a, struct
 
 /* Second safeties straight from the record, and the direction of the pull beside the weakest. Given: a
  * finished analysis whose strongest wind has its columns; the compressive strength over the fitted modulus is
- * the limit of strain. */
-void wf_assess_fit_print(FILE *to, const struct wf_assess_fit *f, const struct wf_analysis *an);
+ * the limit of strain. Returned: out->record. Errors: WF_ENOMEM. */
+enum wf_status wf_assess_fit_say(const struct wf_assess_fit *f, const struct wf_analysis *an,
+                                 struct wf_arena *a, struct wf_assessment *out, struct wf_err *e);
+void wf_assess_fit_print(FILE *to, const struct wf_assess_fit *f, const struct wf_assessment *x);
 #endif

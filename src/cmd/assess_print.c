@@ -295,6 +295,7 @@ void wf_print_assessment(FILE *to, const struct wf_analysis *an)
     print_critical(to, an);
     print_years(to, an);
     wf_print_guys(to, an);
+    wf_print_braces(to, an);
     wf_print_wetted(to, an);
     print_directions(to, x);
     print_scenarios(to, an);

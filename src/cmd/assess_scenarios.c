@@ -42,8 +42,9 @@ static const char *add_change(const struct wf_option *rows, char *text, struct b
     const struct wf_option *o = &rows[row];
     bool barred = o->kind == WF_OPTION_STUDY || o->kind == WF_OPTION_TEXTS || !strcmp(o->name, "--output") ||
                   !strcmp(o->name, "--species");
-    if (barred && strcmp(o->name, "--cavity") && strcmp(o->name, "--guy"))
-        return wf_arena_print(a, "'%.40s' is the same in all scenarios", text);
+    bool list = !strcmp(o->name, "--cavity") || !strcmp(o->name, "--guy") || !strcmp(o->name, "--cable") ||
+                !strcmp(o->name, "--rod");
+    if (barred && !list) return wf_arena_print(a, "'%.40s' is the same in all scenarios", text);
     if (out->n == CHANGES_MAX) return "more than 12 changes";
     out->option[out->n] = row;
     out->cell[out->n++] = value ? value + strspn(value, " ") : "yes";

@@ -223,7 +223,7 @@ static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
         s = wf_tree_row_read(t->columns, &t->rows, &t->row[*n], e);
         scans += t->row[(*n)++].single.options.scan != NULL;
     }
-    if (!s) s = wf_parallel(*n, t->line->run.threads, assess, t, e);
+    if (!s) s = wf_parallel_abreast(*n, t->line->run.threads, assess, t, e);
     size_t good = s ? 0 : *n;
     if (!s && t->line->reports) s = report_all(t, *n, &good, e);
     for (size_t k = 0; k < *n; k++) {

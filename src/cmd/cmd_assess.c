@@ -95,9 +95,10 @@ static enum wf_status take_assessment(struct wf_analyze_work *run, struct wf_ana
     out->directions = w->directions, out->direction = w->direction;
     an->assessment = out;
     if (wf_assess_list_run(&w->list, &w->options, run->species, &run->arena, out, e)) return e->code;
+    if (w->options.from && wf_assess_fit_say(&w->fit, an, &run->arena, out, e)) return e->code;
     if (run->options.args.quiet) return WF_OK;
     wf_print_assessment(stdout, an);
-    if (w->options.from) wf_assess_fit_print(stdout, &w->fit, an);
+    if (w->options.from) wf_assess_fit_print(stdout, &w->fit, out);
     return WF_OK;
 }
 

@@ -109,6 +109,11 @@ void wf_show_language(const char *language)
     (void)atexit(fall_silent);
 }
 
+void wf_show_name(const char *name, const char *own)
+{
+    if (spoken) wf_tongue_name(spoken, name, own);
+}
+
 char *wf_show_words(const struct wf_said *said, struct wf_arena *a)
 {
     return spoken && said ? wf_tongue_say(spoken, said, a) : NULL;
@@ -294,6 +299,11 @@ static void check_choice(struct wf_reading *r, size_t k, const char *text)
     size_t n = wf_option_choices(o, word, list, sizeof list);
     for (size_t i = 0; i < n; i++)
         if (strcmp(text, word[i]) == 0) return;
+    const char *meant = o->meant ? o->meant(text) : NULL;
+    if (meant) {
+        *(const char **)wf_option_member(r, k) = meant;
+        return;
+    }
     char all[768] = "";
     for (size_t i = 0, used = 0; i < n && used < sizeof all; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", word[i]);

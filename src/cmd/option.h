@@ -46,7 +46,9 @@ struct wf_option {
     double low, high;              /* allowed, in `unit`                                                   */
     const char *choices;           /* words separated by '|'                                               */
     const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL after the last              */
-    size_t averaging;              /* of a speed: offset of its struct wf_averaging (cmd/wind_speed.h)     */
+    const char *(*meant)(
+        const char *text); /* the word that another one means, NULL: none; NULL: no other is */
+    size_t averaging;      /* of a speed: offset of its struct wf_averaging (cmd/wind_speed.h)     */
     size_t group; /* offset of the struct of shared options that the member is in (cmd/option_groups.h)    */
     /* Whether the option has no effect with the others as they are; asked when it is given and all are read.
      * Returned in `why`: the words behind "has no effect". NULL: it always has one. */
@@ -184,8 +186,11 @@ void wf_show_in(const char *system);
 const char *wf_show_units(void);
 /* Say what has a translation (out/tongue.h) in a language from now on: "zh"; "en" changes nothing. */
 void wf_show_language(const char *language);
+/* A species' name in that language; NULL: it has none. To be called before the first thread is started. */
+void wf_show_name(const char *name, const char *own);
 struct wf_said;
-/* A sentence by parts in the language that is set. Returned: NULL in English, without a translation or memory. */
+/* A sentence by parts in the language that is set. Returned: NULL in English, without a translation or
+ * memory. */
 char *wf_show_words(const struct wf_said *said, struct wf_arena *a);
 /* Print a text of this program as it is, line ends included; it holds no names. */
 int wf_show_text(FILE *to, const char *text);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/option_groups.h"
+#include "base/text.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
 #include "data/crown_mass.h"
@@ -156,6 +157,16 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
 }
 
 const char *wf_soil_word(size_t i) { return wf_soils[i].name; }
+
+/* Not seasons of the year: what stands in leaf in winter is not leafless. */
+const char *wf_season_meant(const char *text)
+{
+    if (wf_text_among("leaf_on in_leaf leaved belaubt feuille en_feuilles 有叶 带叶", text)) return "leaf_on";
+    if (wf_text_among("leaf_off leafless no_leaves unbelaubt laublos defeuille sans_feuilles 无叶 落叶后",
+                      text))
+        return "leaf_off";
+    return NULL;
+}
 
 bool wf_anchorage_row_unused(const void *options, const struct wf_option *o, char *why)
 {

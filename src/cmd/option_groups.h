@@ -5,6 +5,7 @@
  * the command's options struct, and a macro with its rows, whose argument `in` is the name of that member. */
 #include "cmd/option.h"
 #include "data/model.h"
+#include "fail/anchorage.h"
 #include "grow/import.h"
 #include "grow/qsm_model.h"
 #include "load/scene.h"
@@ -220,11 +221,15 @@ struct wf_anchorage_asked {
     double pull_moment, secant; /* [N m], [N m rad-1]; NAN: not given */
 };
 const char *wf_soil_word(size_t i);
+const char *wf_season_meant(const char *text);
 bool wf_anchorage_row_unused(const void *options, const struct wf_option *o, char *why);
 #define WF_ANCHORAGE_ROWS(in)                                                                                \
-    WORD("--soil", in.soil, "KIND", wf_soil_word, NULL,                                                      \
-         "ground that the roots are in: unless a test says more, anchorage is then taken by size, of trees " \
-         "in several soils, so that overturning is assessed; unknown: it is not"),                           \
+    WORD(                                                                                                    \
+        "--soil", in.soil, "KIND", wf_soil_word, NULL,                                                       \
+        "ground that the roots are in: unless a test says more, anchorage is then taken by size, of trees "  \
+        "in several soils, so that overturning is assessed; unknown: it is not; sand and loam are mineral, " \
+        "gley is gleyed",                                                                                    \
+        .meant = wf_soil_meant),                                                                             \
         CHOICE("--rooting", in.rooting, "DEPTH", "shallow|medium|deep", NULL,                                \
                "depth of the roots, for rows of --anchorage-table: below 40 cm, 40 to 80 cm, above 80 cm",   \
                WF_UNUSED(in, wf_anchorage_row_unused)),                                                      \
@@ -336,7 +341,7 @@ struct wf_tree_asked {
                "one-sided leaf area of the whole tree, in place of the model's; a measured tree has none"),  \
         CHOICE("--season", in.season, "SEASON", "leaf_on|leaf_off", NULL,                                    \
                "in place of the model's: with its leaves, or when they have fallen",                         \
-               WF_UNUSED(in, wf_tree_row_unused)),                                                           \
+               .meant = wf_season_meant, WF_UNUSED(in, wf_tree_row_unused)),                                 \
         CHOICE(                                                                                              \
             "--rest", in.rest, "STATE", "as-drawn|stress-free", NULL,                                        \
             "what the shape measured or drawn is: as-drawn: the tree standing under its own weight, whose "  \

@@ -2,7 +2,9 @@
 #include "cmd/print_measures.h"
 #include "cmd/option.h"
 #include "study/assessment.h"
+#include "study/brace.h"
 #include "study/guy.h"
+#include "study/peak.h"
 #include "study/removal.h"
 #include "study/verdict.h"
 #include <math.h>
@@ -29,6 +31,45 @@ void wf_print_guys(FILE *to, const struct wf_analysis *an)
     if (an->scenario.guys)
         wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
                 an->loads.ties ? "; a foot that turns more than was computed puts more on them" : "");
+}
+
+/* "3.2 kN", of a rod that pushes "3.2 kN pushing". */
+static void print_force(FILE *to, double force)
+{
+    wf_show(to, "%.3g kN", fabs(force) / 1e3);
+    if (force < 0) wf_show(to, " pushing");
+}
+
+void wf_print_braces(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_break *loss = wf_verdict_of(an->breaks).loss;
+    /* where branches have a peak of their own, the state in the critical wind is that of the stem's alone */
+    bool found = loss && loss->critical.outcome == WF_CRITICAL_FOUND && !loss->at.status &&
+                 !wf_peak_branches(an->peak);
+    for (size_t k = 0; k < an->scenario.braces; k++) {
+        const struct wf_brace *b = &an->scenario.brace[k];
+        const struct wf_at_speed *at = wf_brace_worst(an, k);
+        wf_show(to, b->rod ? "  rod from %s to %s: " : "  cable from %s to %s: ", b->end[0].name,
+                b->end[1].name);
+        if (!at)
+            wf_show(to, "no equilibrium in the given winds");
+        else if (!(fabs(at->link[k]) > 0))
+            wf_show(to, "slack in the given winds");
+        else {
+            print_force(to, at->link[k]);
+            wf_show(to, " at most, in %.4g m/s", at->speed);
+        }
+        if (found) wf_show(to, ", ");
+        if (found) print_force(to, loss->at.link[k]);
+        if (found) wf_show(to, " in the critical wind");
+        if (at && at->link[k] > 0 && isfinite(b->breaking))
+            wf_show(to, "; it breaks at %.4g kN: safety %.3g", b->breaking / 1e3, b->breaking / at->link[k]);
+        wf_show(to, "\n");
+    }
+    if (an->scenario.braces)
+        wf_show(to, "    static forces in wind from this direction, at the peak of the load; how their ends "
+                    "hold in the "
+                    "wood, fittings, and rods that buckle, are not assessed\n");
 }
 
 static void print_cell(FILE *to, double x)

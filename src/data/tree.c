@@ -326,6 +326,14 @@ size_t wf_tip_row(const struct wf_tree *t)
     return tip;
 }
 
+size_t wf_top_row(const struct wf_tree *t)
+{
+    size_t top = wf_tip_row(t);
+    for (size_t i = 0; i < t->n; i++)
+        if (t->z1[i] > t->z1[top]) top = i;
+    return top;
+}
+
 const char *wf_scope_name(enum wf_scope s)
 {
     static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };
@@ -348,4 +356,44 @@ double wf_along_at(const struct wf_along *a, double s, double fallback)
             return a->v[i - 1] + w * (a->v[i] - a->v[i - 1]);
         }
     return a->v[a->n - 1];
+}
+
+size_t wf_tree_base(const struct wf_tree *t, size_t i)
+{
+    while (t->parent[i] >= 0) i = (size_t)t->parent[i];
+    return i;
+}
+
+size_t wf_tree_stem_at(const struct wf_tree *t, double height, double *place)
+{
+    size_t found = t->n;
+    double thickest = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double rise = t->z1[i] - t->z0[i], share = (t->z0[wf_tree_base(t, i)] + height - t->z0[i]) / rise;
+        if (t->level[i] != 0 || !(rise > 0) || !(share > 0 && share <= 1)) continue;
+        double r = wf_between(t->r0[i], t->r1[i], share);
+        if (r > thickest) thickest = r, found = i, *place = share;
+    }
+    return found;
+}
+
+enum wf_status wf_tree_cut(struct wf_tree *t, size_t row, double place, struct wf_arena *a, struct wf_err *e)
+{
+    const double near = 1e-3; /* [m] */
+    struct wf_tree out;
+    if ((1 - place) * wf_tree_length(t, row) <= near) return WF_OK;
+    enum wf_status s = wf_tree_alloc_like(t, t->n + 1, a, &out, e);
+    if (s) return s;
+    for (size_t i = 0; i < t->n; i++) {
+        size_t at = i + (i > row);
+        int32_t below = t->parent[i];
+        out.parent[at] = below < 0 ? -1 : below + (below >= (int32_t)row);
+        wf_tree_copy_part(t, i, 0, i == row ? place : 1, &out, at);
+        if (t->mass1) out.mass1[at] = i == row ? 0 : t->mass1[i];
+    }
+    out.parent[row + 1] = (int32_t)row;
+    wf_tree_copy_part(t, row, place, 1, &out, row + 1);
+    if (t->mass1) out.mass1[row + 1] = t->mass1[row];
+    *t = out;
+    return WF_OK;
 }

@@ -93,6 +93,15 @@ enum wf_status wf_tree_stand(struct wf_tree *t, const struct wf_tree *worn, stru
 void wf_tree_copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
                        size_t at);
 
+/* The row on the ground that carries row i. */
+size_t wf_tree_base(const struct wf_tree *t, size_t i);
+/* The thickest row of the stem at a height above its base, and the place in it (0 = base, 1 = end). Returned:
+ * t->n: none. */
+size_t wf_tree_stem_at(const struct wf_tree *t, double height, double *place);
+/* Cut a row in two at a share of its length, unless that is within 1 mm of its end; `row` is then the lower
+ * part, and the rows behind it move by one. Errors: WF_ENOMEM. */
+enum wf_status wf_tree_cut(struct wf_tree *t, size_t row, double place, struct wf_arena *a, struct wf_err *e);
+
 /* The same with those columns of bark, sections, cavities and masses that another tree has; its name,
  * anchorage and room. */
 enum wf_status wf_tree_alloc_like(const struct wf_tree *like, size_t n, struct wf_arena *a,
@@ -133,6 +142,8 @@ struct wf_breast wf_tree_breast(const struct wf_tree *t);
 
 /* The row that ends highest on level 0. */
 size_t wf_tip_row(const struct wf_tree *t);
+/* The row that ends highest of all axes: the crown's top. The stem's where none ends above it. */
+size_t wf_top_row(const struct wf_tree *t);
 
 /* A part of a tree: the whole tree, the stem (level 0), everything but the stem. */
 enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };

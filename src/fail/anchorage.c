@@ -3,6 +3,7 @@
 #include "base/column.h"
 #include "base/num.h"
 #include "base/said.h"
+#include "base/text.h"
 #include "data/section.h"
 #include "data/species.h"
 #include "fail/fail.h"
@@ -13,13 +14,28 @@
 #include <strings.h>
 
 const struct wf_soil wf_soils[] = {
-    { "mineral", "freely draining mineral soil", true },
-    { "gleyed", "gleyed mineral soil", true },
-    { "peaty", "peaty mineral soil", true },
-    { "peat", "deep peat", true },
-    { "unknown", "not known", false },
+    { "mineral", "freely draining mineral soil", true,
+      "mineral mineral_soil sand sandy sandy_soil loam loamy sandy_loam gravel brown_earth mineralboden "
+      "sandboden "
+      "lehm lehmboden kies braunerde sol_mineral sable sableux gravier sol_brun 矿质土 矿质土壤 砂土 沙土 "
+      "壤土 砾石土" },
+    { "gleyed", "gleyed mineral soil", true,
+      "gleyed gley gleyic gleysol gleyed_mineral surface_water_gley ground_water_gley stagnogley gleyboden "
+      "vergleyt pseudogley stagnogley sol_a_gley gleyifie 潜育土 潜育" },
+    { "peaty", "peaty mineral soil", true,
+      "peaty peaty_mineral peaty_mineral_soil anmoor anmoorig anmoorboden tourbeux sol_tourbeux 泥炭质土" },
+    { "peat", "deep peat", true,
+      "peat deep_peat bog torf torfboden moor hochmoor tourbe tourbiere 泥炭 泥炭土" },
+    { "unknown", "not known", false, "unknown not_known unbekannt inconnu 未知 不明" },
     { 0 },
 };
+
+const char *wf_soil_meant(const char *word)
+{
+    for (const struct wf_soil *s = wf_soils; s->name; s++)
+        if (wf_text_among(s->others, word)) return s->name;
+    return NULL;
+}
 
 static const char *const rootings[] = { "shallow", "medium", "deep", NULL };
 
@@ -427,9 +443,8 @@ static bool blank_or(const char *cell, bool (*word)(const char *text)) { return 
 
 static bool is_soil(const char *text)
 {
-    for (const struct wf_soil *s = wf_soils; s->name; s++)
-        if (s->known && !strcasecmp(s->name, text)) return true;
-    return false;
+    const char *meant = wf_soil_meant(text);
+    return meant && soil_known(meant);
 }
 
 static bool is_rooting(const char *text)
@@ -443,7 +458,8 @@ static void read_factor(struct wf_csv *csv, const size_t column[4], struct wf_ar
 {
     const double least = 1, most = 2000; /* [N m kg-1]; 77 to 207 are known */
     r->species = wf_arena_text(a, wf_csv_text(csv, column[0]));
-    r->soil = wf_arena_text(a, wf_csv_text(csv, column[1]));
+    const char *soil = wf_csv_text(csv, column[1]), *meant = *soil ? wf_soil_meant(soil) : NULL;
+    r->soil = meant ? meant : wf_arena_text(a, soil);
     r->rooting = wf_arena_text(a, wf_csv_text(csv, column[2]));
     if (!*wf_csv_text(csv, column[0])) wf_csv_mistake(csv, column[0], "a species is needed");
     if (!blank_or(wf_csv_text(csv, column[1]), is_soil))

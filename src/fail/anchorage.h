@@ -14,8 +14,13 @@ struct wf_species;
 struct wf_soil {
     const char *name, *text;
     bool known;
+    const char
+        *others; /* names that mean it, as wf_text_among takes them: English, German, French, Chinese */
 };
 extern const struct wf_soil wf_soils[]; /* ends at name == NULL */
+/* The name of the row that a word means: its own, or one of the others. NULL: none, as for clay, which drains
+ * freely in one place and is gleyed in another. */
+const char *wf_soil_meant(const char *word);
 
 struct wf_anchorage_method {
     const char *name, *title, *source, *validity;

@@ -117,7 +117,9 @@ static double row_peak(struct row *w, const struct wf_section_rule *rule, double
     double at0 = measure(w, rule, 0, &w->end[0]), at1 = measure(w, rule, 1, &w->end[1]);
     double best = fmax(at0, at1), low = 0, high = 1;
     *place = at1 > at0 ? 1 : 0;
-    if (!(measure_near(w, rule, 0) > at0 && measure_near(w, rule, 1) > at1)) return best;
+    const int larger = at1 > at0; /* from it the measure seldom rises inwards */
+    if (!(measure_near(w, rule, larger) > (larger ? at1 : at0))) return best;
+    if (!(measure_near(w, rule, !larger) > (larger ? at0 : at1))) return best;
     for (int round = 0; round < ROUNDS; round++) {
         double step = (high - low) / GRID;
         const struct wf_section_load *load = loads_between(w, round, low, step);

@@ -174,24 +174,30 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
     return false;
 }
 
-/* The place nearest to failure in a scope. */
+/* Is nothing known of any row? */
+static bool unknown(const struct wf_criterion *c, const struct wf_breakage *b)
+{
+    return c->section && c != &wf_criteria[WF_BREAKAGE] && !b->use[c - wf_criteria];
+}
+
+/* The place nearest to failure in each scope. */
 static void find_worst(const struct wf_criterion *c, const struct wf_tree *t, const struct wf_response *r,
-                       const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out)
+                       const struct wf_breakage *b, struct wf_worst out[WF_SCOPES])
 {
     for (size_t i = 0; i < t->n; i++) {
-        double place = 0,
-               safety = wf_scope_holds(scope, t, i) ? wf_criterion_safety(c, t, r, b, i, &place) : NAN;
-        if (isnan(safety) || out->safety <= safety) continue;
-        *out = (struct wf_worst){ .safety = safety, .row = (int32_t)i, .place = place };
+        double place = 0, safety = wf_criterion_safety(c, t, r, b, i, &place);
+        if (isnan(safety)) continue;
+        for (int s = 0; s < WF_SCOPES; s++)
+            if (!(out[s].safety <= safety) && wf_scope_holds((enum wf_scope)s, t, i))
+                out[s] = (struct wf_worst){ .safety = safety, .row = (int32_t)i, .place = place };
     }
 }
 
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                        struct wf_worst (*worst)[WF_SCOPES])
 {
-    for (int c = 0; c < WF_CRITERIA; c++)
-        for (int s = 0; s < WF_SCOPES; s++) {
-            worst[c][s] = (struct wf_worst){ .safety = NAN, .row = -1 };
-            if (r) find_worst(&wf_criteria[c], t, r, b, (enum wf_scope)s, &worst[c][s]);
-        }
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        for (int s = 0; s < WF_SCOPES; s++) worst[c][s] = (struct wf_worst){ .safety = NAN, .row = -1 };
+        if (r && !unknown(&wf_criteria[c], b)) find_worst(&wf_criteria[c], t, r, b, worst[c]);
+    }
 }

@@ -66,23 +66,32 @@ static enum wf_status check_outline(const struct wf_outline *o, struct wf_err *e
     return s;
 }
 
+/* Does the outline run clockwise? */
+static bool clockwise(const struct wf_outline *o)
+{
+    double whole = 0;
+    for (size_t i = 1; i < o->n; i++) whole += o->x[i - 1] * o->z[i] - o->x[i] * o->z[i - 1];
+    if (o->n) whole += o->x[o->n - 1] * o->z[0] - o->x[0] * o->z[o->n - 1];
+    return whole < 0;
+}
+
 /* The integrals of x dz and x z dz along every side between the heights are area and moment, by Green. */
 double wf_outline_strip(const struct wf_outline *o, double from, double to, double *moment)
 {
-    double area = 0, first = 0, whole = 0;
+    double area = 0, first = 0;
     for (size_t i = 0; i < o->n; i++) {
         size_t k = i + 1 < o->n ? i + 1 : 0;
-        double xa = o->x[i], za = o->z[i], xb = o->x[k], zb = o->z[k];
-        whole += xa * zb - xb * za;
+        double za = o->z[i], zb = o->z[k];
         if ((za <= from && zb <= from) || (za >= to && zb >= to)) continue;
-        double a = fmin(fmax(za, from), to), b = fmin(fmax(zb, from), to);
+        double xa = o->x[i], xb = o->x[k], a = fmin(fmax(za, from), to), b = fmin(fmax(zb, from), to);
         if (a == b) continue;
         double slope = (xb - xa) / (zb - za), pa = xa + slope * (a - za), pb = xa + slope * (b - za);
         area += 0.5 * (pa + pb) * (b - a);
         first += (b - a) * (pa * (2 * a + b) + pb * (a + 2 * b)) / 6;
     }
-    *moment = whole < 0 ? -first : first;
-    return whole < 0 ? -area : area;
+    bool turned = clockwise(o);
+    *moment = turned ? -first : first;
+    return turned ? -area : area;
 }
 
 static bool same_point(const struct wf_silhouette *s, size_t i, size_t k)

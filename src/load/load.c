@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/load.h"
 #include "base/num.h"
+#include "base/vec3.h"
 #include "data/species.h"
 #include "load/drag.h"
 
@@ -18,22 +19,50 @@ void wf_loads_default(struct wf_loads *l)
                             .axis_drag = &wf_axis_drag_laws[0] };
 }
 
-double wf_tie_pull(const struct wf_tie *t, const double at[3], double force[3], double by_place[9])
+/* A spring between two places. Returned: its force [N]; *u along it, *length [m]. */
+static double spring(double stiffness, double unstretched, bool pushes, const double from[3],
+                     const double to[3], double u[3], double *length)
 {
     const double least = 1e-9; /* of its length: a cable at rest is slack, whatever is rounded */
-    double u[3], length = 0;
-    for (int k = 0; k < 3; k++) u[k] = t->anchor[k] - at[k], length += u[k] * u[k];
-    length = sqrt(length);
-    for (int k = 0; k < 3; k++) u[k] /= length, force[k] = 0;
-    for (int k = 0; k < 9 && by_place; k++) by_place[k] = 0;
-    double stretch = length - t->length, pull = t->stiffness * stretch;
-    if (!(stretch > least * t->length)) return 0;
-    for (int k = 0; k < 3; k++) force[k] = pull * u[k];
+    double square = 0;
+    for (int k = 0; k < 3; k++) u[k] = to[k] - from[k], square += u[k] * u[k];
+    *length = sqrt(square);
+    for (int k = 0; k < 3; k++) u[k] /= *length;
+    double stretch = *length - unstretched;
+    return pushes || stretch > least * unstretched ? stiffness * stretch : 0;
+}
+
+double wf_tie_pull(const struct wf_tie *t, const double at[3], double force[3], double by_place[9])
+{
+    double u[3], length, pull = spring(t->stiffness, t->length, false, at, t->anchor, u, &length);
+    for (int k = 0; k < 3; k++) force[k] = pull > 0 ? pull * u[k] : 0;
     for (int k = 0; k < 9 && by_place; k++) {
         double along = u[k / 3] * u[k % 3];
-        by_place[k] = -t->stiffness * along - pull / length * ((k % 4 == 0) - along);
+        by_place[k] = pull > 0 ? -t->stiffness * along - pull / length * ((k % 4 == 0) - along) : 0;
     }
     return pull;
+}
+
+double wf_link_pull(const struct wf_link *k, const double from[3], const double to[3], double force[3])
+{
+    double u[3], length, pull = spring(k->stiffness, k->length, k->pushes, from, to, u, &length);
+    for (int i = 0; i < 3; i++) force[i] = pull * u[i];
+    return pull;
+}
+
+void wf_link_stiffness(const struct wf_link *k, const double from[3], const double to[3], double axis[3][3],
+                       double stiffness[3])
+{
+    double length, pull = spring(k->stiffness, k->length, k->pushes, from, to, axis[0], &length);
+    const double *u = axis[0];
+    bool slack = !k->pushes && !(pull > 0), steep = fabs(u[2]) > 0.7;
+    const double other[3] = { steep, 0, !steep };
+    wf_cross(u, other, axis[1]);
+    double size = sqrt(wf_dot(axis[1], axis[1]));
+    for (int i = 0; i < 3; i++) axis[1][i] /= size;
+    wf_cross(u, axis[1], axis[2]);
+    stiffness[0] = slack ? 0 : k->stiffness;
+    stiffness[1] = stiffness[2] = pull / length;
 }
 
 /* Parameters of a law in the order of its row, from the values of the species. */

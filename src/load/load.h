@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_LOAD_LOAD_H
 #define WF_LOAD_LOAD_H
-/* Loads on a tree: wind, weight, point loads, dead line loads, cables that hold it. Solvers read struct
+/* Loads on a tree: wind, weight, point loads, dead line loads, cables that hold it
+ * and that join parts of it. Solvers read struct
  * wf_loads and do not change it; beam and rod solvers evaluate it on the deformed shape. */
 #include "base/err.h"
 #include "data/law.h"
 #include "data/tree.h"
 #include "wind/wind.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -36,6 +38,15 @@ struct wf_tie {
 };
 enum { WF_TIES_MAX = 8 };
 
+/* A cable or a rod between the ends of two rows: a spring that pulls them together; a rod also pushes. */
+struct wf_link {
+    int32_t segment[2];
+    double stiffness; /* force over stretch [N m-1] */
+    double length;    /* unstretched [m] */
+    bool pushes;      /* it is a rod */
+};
+enum { WF_LINKS_MAX = 8 };
+
 struct wf_loads {
     const struct wf_wind *wind;                   /* NULL = still air */
     double air_density;                           /* [kg m-3] */
@@ -52,6 +63,8 @@ struct wf_loads {
                          * between, keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
     const struct wf_tie *tie; /* not scaled: they resist */
     size_t ties;
+    const struct wf_link *link; /* likewise */
+    size_t links;
 };
 /* The laws a species may choose from: streamlining and axis drag (load/drag.h). */
 extern const struct wf_laws wf_laws;
@@ -70,6 +83,13 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name);
 /* Force in a cable whose end is at a place [m]. Returned: [N], 0: it is slack; *force on the tree [N] and its
  * derivative by the place, row-major [N/m]; by_place may be NULL. */
 double wf_tie_pull(const struct wf_tie *t, const double at[3], double force[3], double by_place[9]);
+/* Force in a link between two places [m]. Returned: [N], negative: a rod pushes, 0: a cable is slack; *force
+ * on the first row's end, that on the second is opposite. */
+double wf_link_pull(const struct wf_link *k, const double from[3], const double to[3], double force[3]);
+/* The axes of a link between two places and its stiffness along each: axis[0] along it, from the first to the
+ * second, [N/m]: what resists their moving apart. All 0: a cable is slack. */
+void wf_link_stiffness(const struct wf_link *k, const double from[3], const double to[3], double axis[3][3],
+                       double stiffness[3]);
 
 /* Properties of an axis at one point, per unit reference (unloaded) length. */
 struct wf_line_point {

@@ -87,6 +87,8 @@ struct wf_scenario {
     double least;       /* of the profile "code": height below which the wind is constant [m] */
     const struct wf_guy *guy; /* cables from the stem to the ground (study/guy.h) */
     size_t guys;
+    const struct wf_brace *brace; /* cables and rods between two points of the tree (study/brace.h) */
+    size_t braces;
     const struct wf_removed *removed;             /* branches that are taken off; NULL: none */
     const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
     double corridor;             /* distance of a corridor from the base of the stem [m]; 0: none */

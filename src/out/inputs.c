@@ -7,6 +7,7 @@
 #include "grow/silhouette.h"
 #include "load/drag.h"
 #include "study/assessment.h"
+#include "study/brace.h"
 #include "study/guy.h"
 #include "study/peak.h"
 #include "study/removal.h"
@@ -344,6 +345,7 @@ json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const stru
     wf_doc_quantity(d, o, "drag", m->drag, "N", none);
     wf_doc_quantity(d, o, "tip_deflection", m->tip_deflection, "m", none);
     wf_doc_quantity(d, o, "tip_deflection_share", m->tip_deflection / a->tallness, "1", none);
+    wf_doc_quantity(d, o, "top_deflection", m->top_deflection, "m", none);
     wf_doc_quantity(d, o, "tip_angle", m->tip_angle, "rad", none);
     wf_doc_quantity(d, o, "base_shear", m->base_shear, "N", none);
     wf_doc_quantity(d, o, "base_moment", m->base_moment, "N m", none);
@@ -405,6 +407,29 @@ json_t *wf_part_guys(struct wf_doc *d, const struct wf_analysis *a)
         wf_doc_quantity(d, o, "stiffness", g->stiffness, "N/m", NULL);
         wf_doc_quantity(d, o, "pretension", g->pretension, "N", NULL);
         wf_doc_quantity(d, o, "pull", at->status ? (double)NAN : at->tie[k], "N", "no equilibrium");
+    }
+    return list;
+}
+
+json_t *wf_part_braces(struct wf_doc *d, const struct wf_analysis *a)
+{
+    json_t *list = wf_doc_array(d);
+    for (size_t k = 0; k < a->scenario.braces; k++) {
+        const struct wf_brace *b = &a->scenario.brace[k];
+        const struct wf_at_speed *at = wf_brace_worst(a, k);
+        double force = at ? at->link[k] : (double)NAN;
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "name", b->rod ? "rod" : "cable");
+        wf_doc_text(d, o, "from_point", b->end[0].name);
+        wf_doc_text(d, o, "to_point", b->end[1].name);
+        wf_doc_quantity(d, o, "stiffness", b->stiffness, "N/m", NULL);
+        wf_doc_quantity(d, o, "pretension", b->pretension, "N", NULL);
+        wf_doc_quantity(d, o, "slack", b->slack, "m", NULL);
+        wf_doc_quantity(d, o, "pull", force, "N", "no equilibrium");
+        wf_doc_quantity(d, o, "speed", at ? at->speed : (double)NAN, "m/s", "no equilibrium");
+        wf_doc_quantity(d, o, "breaking", b->breaking, "N", "not given");
+        wf_doc_quantity(d, o, "safety", force > 0 ? b->breaking / force : (double)NAN, "1",
+                        "not assessed: no breaking load is given, or it does not pull");
     }
     return list;
 }

@@ -29,7 +29,7 @@ static const struct {
     { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
             "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "guys removals union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+    { LIST, "guys braces record removals union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
@@ -67,7 +67,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
-      "distance towards stiffness pretension pull "
+      "distance towards stiffness pretension pull slack breaking "
       "unions above branch branch_diameter above_diameter below_diameter "
       "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
@@ -89,11 +89,11 @@ static const struct {
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
       "weight_stress node_spacing strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
-      "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
+      "tip_deflection tip_deflection_share tip_share top top_deflection topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
       "word return_period_bound return_period_by exceedance_a_year_text exceedance_over_life_text "
-      "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "wants form from_point to_point of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "

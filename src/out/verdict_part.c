@@ -301,5 +301,6 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
     put_often(d, o, x);
     put_around(d, o, x->directions, x->direction);
     put_scenarios(d, o, x);
+    if (x->record) wf_doc_warnings(d, wf_doc_put(d, o, "record", wf_doc_array(d)), x->record);
     return o;
 }

@@ -272,7 +272,7 @@ enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, boo
         wf_beam_carry(b, &fine);
         wf_beam_sweep_up(&fine);
         fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
-        if (wf_beam_step(&fine)) {
+        if (wf_beam_step(&fine, NULL)) {
             tree_reach(t, reach);
             wf_beam_row_loads(b, load);
             wf_beam_row_loads(&fine, load + 3 * t->n);

@@ -70,18 +70,17 @@ WF_INLINE void scatter_add(const real *from, size_t n, size_t some, const struct
     }
 }
 
-/* Up to WF_WIDTH elements of a group. Lanes to spare repeat the first element, and nothing is kept of them.
- */
+/* Up to WF_WIDTH elements of a group, or of several trees. Lanes to spare repeat the first element, and
+ * nothing is kept of them. */
 struct some {
     size_t n;
-    const int32_t *id;
+    size_t id[WF_WIDTH];
+    struct wf_groups_sweep *of[WF_WIDTH];
     real_truth here;
 };
 
-WF_INLINE struct some some_of(const struct wf_beam_group *g, size_t from)
+WF_INLINE void set_here(struct some *s)
 {
-    size_t left = (size_t)g->n - from;
-    struct some s = { .n = left < WF_WIDTH ? left : WF_WIDTH, .id = g->id + from };
 #if WF_WIDTH == 8
     const real_truth lane = { 0, 1, 2, 3, 4, 5, 6, 7 };
 #elif WF_WIDTH == 4
@@ -89,33 +88,50 @@ WF_INLINE struct some some_of(const struct wf_beam_group *g, size_t from)
 #else
     const real_truth lane = 0;
 #endif
-    s.here = (real_truth)(lane < (int64_t)s.n);
+    s->here = (real_truth)(lane < (int64_t)s->n);
 #if WF_WIDTH == 1
-    s.here = -s.here;
+    s->here = -s->here;
 #endif
+}
+
+WF_INLINE struct some some_of(struct wf_groups_sweep *x, const struct wf_beam_group *g, size_t from)
+{
+    size_t left = (size_t)g->n - from;
+    struct some s = { .n = left < WF_WIDTH ? left : WF_WIDTH };
+    for (size_t k = 0; k < WF_WIDTH; k++) s.id[k] = (size_t)g->id[from + k], s.of[k] = x;
+    set_here(&s);
     return s;
 }
 
-WF_INLINE struct places places_of(const struct some *s, double *array, size_t per_element)
+/* An array of struct wf_groups_sweep. */
+#define ARRAY(name) offsetof(struct wf_groups_sweep, name)
+
+WF_INLINE double *array_of(const struct wf_groups_sweep *x, size_t array)
+{
+    double *out;
+    memcpy(&out, (const char *)x + array, sizeof out);
+    return out;
+}
+
+WF_INLINE struct places places_of(const struct some *s, size_t array, size_t per_element)
 {
     struct places p;
-    for (size_t k = 0; k < WF_WIDTH; k++) p.at[k] = array + (size_t)s->id[k] * per_element;
+    for (size_t k = 0; k < WF_WIDTH; k++) p.at[k] = array_of(s->of[k], array) + s->id[k] * per_element;
     return p;
 }
 /* The same of the elements below. */
-WF_INLINE struct places places_below(const struct wf_groups_sweep *x, const struct some *s, double *array,
-                                     size_t per_element)
+WF_INLINE struct places places_below(const struct some *s, size_t array, size_t per_element)
 {
     struct places p;
     for (size_t k = 0; k < WF_WIDTH; k++)
-        p.at[k] = array + (size_t)x->mesh->part[s->id[k]].parent * per_element;
+        p.at[k] = array_of(s->of[k], array) + (size_t)s->of[k]->mesh->part[s->id[k]].parent * per_element;
     return p;
 }
 
-WF_INLINE void gather_part(const struct wf_groups_sweep *x, const struct some *s, element *p)
+WF_INLINE void gather_part(const struct some *s, element *p)
 {
     struct places from;
-    for (size_t k = 0; k < WF_WIDTH; k++) from.at[k] = &x->mesh->part[s->id[k]].h;
+    for (size_t k = 0; k < WF_WIDTH; k++) from.at[k] = &s->of[k]->mesh->part[s->id[k]].h;
     gather(&from, PART, (real *)p);
 }
 
@@ -149,21 +165,21 @@ WF_INLINE void fetch_down(const struct wf_groups_sweep *x, const struct wf_beam_
 
 /* From the base up. */
 
-static __attribute__((noinline)) void up_some(const struct wf_groups_sweep *x, const struct some *s)
+static __attribute__((noinline)) void up_some(const struct some *s)
 {
     element p;
     struct wf_beam_shape u;
     struct wf_beam_pose base, end;
     struct wf_beam_stage stage;
-    struct places at = places_of(s, x->shape, SHAPE);
-    gather_part(x, s, &p);
+    struct places at = places_of(s, ARRAY(shape), SHAPE);
+    gather_part(s, &p);
     gather(&at, SHAPE, (real *)&u);
-    at = places_below(x, s, x->pose, POSE);
+    at = places_below(s, ARRAY(pose), POSE);
     gather(&at, POSE, (real *)&base);
     place_element(&p, &u, &base, &stage, &end);
-    at = places_of(s, x->stage, STAGE);
+    at = places_of(s, ARRAY(stage), STAGE);
     scatter((real *)&stage, STAGE, s->n, &at);
-    at = places_of(s, x->pose, POSE);
+    at = places_of(s, ARRAY(pose), POSE);
     scatter((real *)&end, POSE, s->n, &at);
 }
 
@@ -173,8 +189,8 @@ static void up(struct wf_groups_sweep *x)
         const struct wf_beam_group *group = &x->groups->group[g];
         if (g) fetch_up(x, group - 1);
         for (size_t from = 0; from < (size_t)group->n; from += WF_WIDTH) {
-            struct some s = some_of(group, from);
-            up_some(x, &s);
+            struct some s = some_of(x, group, from);
+            up_some(&s);
         }
     }
 }
@@ -182,10 +198,14 @@ static void up(struct wf_groups_sweep *x)
 /* From the tips down. */
 
 struct work {
-    struct wf_groups_sweep *x;
+    const struct wf_groups_sweep *x; /* of all lanes, or the first: what they have in common */
     struct air air;
+    real gravity, weight_scale, point_scale; /* of the lanes' loads */
+    real margin;
+    real_truth guard;
+    bool counting; /* in some lane */
     struct beam_misfit misfit[WF_GROUP / WF_WIDTH];
-    bool broken;
+    real_truth broken;
 };
 
 /* An element with its state, and what of it is passed on. */
@@ -201,32 +221,30 @@ struct taken {
 
 WF_INLINE void load_at(const struct work *w, int j, struct taken *t)
 {
-    const struct wf_loads *l = w->x->loads;
     const struct fixed_point *line = &t->p.line[j];
     struct real_point point = { .diameter = line->diameter,
                                 .drag = line->drag,
                                 .lift = line->lift,
                                 .sail = line->sail,
-                                .weight = -line->mass * l->gravity * l->weight_scale };
+                                .weight = -line->mass * w->gravity * w->weight_scale };
     memcpy(point.x, t->s.r[j], sizeof point.x), memcpy(point.t, t->s.t[j], sizeof point.t);
     load_points(&w->air, &point, &t->load[j]);
-    v3_add(t->load[j].force, real_of(l->point_scale), t->p.dead[j]);
+    v3_add(t->load[j].force, w->point_scale, t->p.dead[j]);
     for (int i = 0; i < 9 && w->x->frozen; i++) t->load[j].by_place[i] = t->load[j].by_turn[i] = real_of(0);
 }
 
 WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
 {
-    const struct wf_groups_sweep *x = w->x;
-    struct places at = places_of(s, x->shape, SHAPE);
-    gather_part(x, s, &t->p);
+    struct places at = places_of(s, ARRAY(shape), SHAPE);
+    gather_part(s, &t->p);
     gather(&at, SHAPE, (real *)&t->u);
-    at = places_of(s, x->stage, STAGE), gather(&at, STAGE, (real *)&t->s);
-    at = places_below(x, s, x->pose, POSE), gather(&at, POSE, (real *)&t->base);
-    at = places_of(s, x->wrench, WRENCH), gather(&at, WRENCH, (real *)&t->end);
+    at = places_of(s, ARRAY(stage), STAGE), gather(&at, STAGE, (real *)&t->s);
+    at = places_below(s, ARRAY(pose), POSE), gather(&at, POSE, (real *)&t->base);
+    at = places_of(s, ARRAY(wrench), WRENCH), gather(&at, WRENCH, (real *)&t->end);
     for (int j = 0; j < 2; j++) load_at(w, j, t);
     real force[2][3];
     for (int j = 0; j < 2; j++) memcpy(force[j], t->load[j].force, sizeof force[j]);
-    at = places_of(s, x->load, LOAD), scatter(force[0], LOAD, s->n, &at);
+    at = places_of(s, ARRAY(load), LOAD), scatter(force[0], LOAD, s->n, &at);
     balance_element(t->p.h, &t->s, NULL, t->load, &t->end, t->at, &t->down);
 }
 
@@ -240,13 +258,14 @@ WF_INLINE void add_misfit(struct work *w, const struct some *s, const struct tak
     misfit_add(&t->p, NULL, &t->s, t->at, k, gap, &here);
     sum->bending += real_choose(s->here, here.bending, real_of(0));
     sum->energy += real_choose(s->here, here.energy, real_of(0));
-    sum->strain = real_max(here.strain, sum->strain), sum->turn = real_max(here.turn, sum->turn);
+    sum->strain = real_max(real_choose(s->here, here.strain, real_of(0)), sum->strain);
+    sum->turn = real_max(real_choose(s->here, here.turn, real_of(0)), sum->turn);
     for (size_t i = 0; i < s->n && w->x->off; i++) w->x->off[s->id[i]] = real_lane(here.bending, i);
 }
 
-WF_INLINE void pass_down(const struct work *w, const struct some *s, const struct taken *t)
+WF_INLINE void pass_down(const struct some *s, const struct taken *t)
 {
-    struct places to = places_below(w->x, s, w->x->wrench, WRENCH);
+    struct places to = places_below(s, ARRAY(wrench), WRENCH);
     scatter_add((const real *)&t->down, WRENCH, s->n, &to);
 }
 
@@ -262,17 +281,17 @@ static __attribute__((noinline)) void forces_of_some(struct work *w, const struc
     }
     gap_of(&t.p, &t.s, t.at, gap);
     add_misfit(w, s, &t, k, gap, &w->misfit[part]);
-    pass_down(w, s, &t);
+    pass_down(s, &t);
 }
 
 /* Unstable directions, per element. */
-WF_INLINE void count_unstable(struct work *w, const struct some *s, const struct taken *t, real S[6][6],
+WF_INLINE void count_unstable(const struct work *w, const struct some *s, const struct taken *t, real S[6][6],
                               const struct kinematics *k)
 {
-    struct wf_groups_sweep *x = w->x;
-    real found = unstable_directions(&t->p, S, k, real_of(x->margin));
+    real found = unstable_directions(&t->p, S, k, w->margin);
     for (size_t i = 0; i < s->n; i++) {
-        if (!(real_lane(found, i) > 0)) continue;
+        struct wf_groups_sweep *x = s->of[i];
+        if (!x->counting || !(real_lane(found, i) > 0)) continue;
         double n[3];
         for (int c = 0; c < 3; c++) n[c] = real_lane(t->down.n[c], i);
         x->negative += (size_t)real_lane(found, i);
@@ -289,14 +308,13 @@ static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, 
 }
 
 /* What is kept for small loads. S: the element's equations. */
-static __attribute__((noinline)) void keep_small(const struct work *w, const struct some *s,
-                                                 const struct taken *t, const struct statics *q, real P[6][6],
-                                                 real S[6][6])
+static __attribute__((noinline)) void keep_small(const struct some *s, const struct taken *t,
+                                                 const struct statics *q, real P[6][6], real S[6][6])
 {
     struct wf_beam_small o;
     real T[6][6];
     by_base B;
-    struct places to = places_of(s, w->x->small, SMALL);
+    struct places to = places_of(s, ARRAY(small), SMALL);
     const real half = 0.5 * t->p.h;
     invert6(S, o.R);
     base_wrench_of(half, q, t->load, 0, T, B);
@@ -309,20 +327,20 @@ WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const stru
                                 const struct kinematics *k, real P[6][6], real S[6][6], by_base A, int from)
 {
     real_truth broken = solve6(S, A, from), apart = { 0 };
-    if (w->x->guard && real_any(apart = leaps(A, P) | broken)) {
+    if (real_any(w->guard) && real_any(apart = (leaps(A, P) | broken) & w->guard)) {
         by_base alone;
         real_truth still = answer_apart(t, k, alone);
         broken = (broken & ~apart) | (apart & still);
         for (int r = 0; r < 6; r++)
             for (int c = from; c < 7; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
     }
-    if (real_any(broken & s->here)) w->broken = true;
+    w->broken |= broken & s->here;
     return apart;
 }
 
 /* A row per unknown, as struct wf_beam_reaction; columns left out are those of the unit matrix times `unit`.
  */
-WF_INLINE void keep_reaction(const struct some *s, double *array, int from, double unit, by_base A)
+WF_INLINE void keep_reaction(const struct some *s, size_t array, int from, double unit, by_base A)
 {
     real row[REACTION];
     struct places to = places_of(s, array, REACTION);
@@ -342,11 +360,10 @@ WF_INLINE void add_left_out(real P[6][6], by_base y, int from, by_base Z)
 }
 
 /* Pass the reaction on to the elements below. */
-WF_INLINE void pass_reaction(const struct work *w, const struct some *s, int from, by_base B,
-                             real_truth apart)
+WF_INLINE void pass_reaction(const struct some *s, int from, by_base B, real_truth apart)
 {
     real row[REACTION];
-    struct places to = places_below(w->x, s, w->x->node, REACTION);
+    struct places to = places_below(s, ARRAY(node), REACTION);
     if (real_any(apart))
         for (int r = 0; r < 6; r++)
             for (int c = from; c < 7; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
@@ -357,10 +374,11 @@ WF_INLINE void pass_reaction(const struct work *w, const struct some *s, int fro
     scatter_add(row, REACTION, s->n, &to);
 }
 
-WF_INLINE void keep_strain(const struct work *w, const struct some *s, const struct taken *t)
+WF_INLINE void keep_strain(const struct some *s, const struct taken *t)
 {
     real g[2][3];
-    struct places to = places_of(s, w->x->shape + SHAPE / 2, SHAPE);
+    struct places to = places_of(s, ARRAY(shape), SHAPE);
+    for (int k = 0; k < WF_WIDTH; k++) to.at[k] += SHAPE / 2;
     for (int j = 0; j < 2; j++) strain_of(&t->p, t->base.L, &t->s, t->at, j, g[j]);
     scatter(g[0], SHAPE / 2, s->n, &to);
 }
@@ -374,7 +392,7 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
     struct statics q;
     real P[6][6], S[6][6], T[6][6], Mn[2][9];
     by_base A, Z, B;
-    struct places at = places_of(s, w->x->node, REACTION);
+    struct places at = places_of(s, ARRAY(node), REACTION);
     take(w, s, &t);
     gather(&at, REACTION, (real *)&t.above);
     const real half = 0.5 * t.p.h;
@@ -382,23 +400,23 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
     kinematics_of(&t.p, &t.u, &o, t.base.L, &t.s, NULL, &k);
     statics_of(&t.p, NULL, &t.s, t.load, kind, t.at, &q);
     add_misfit(w, s, &t, k.k, q.gap, &w->misfit[part]);
-    pass_down(w, s, &t);
+    pass_down(s, &t);
     stiffen_kinematics(&k, 1 + element_damping(&t.p, NULL, &k, &t.s, t.at));
-    keep_strain(w, s, &t);
+    keep_strain(s, &t);
     end_motion_of(half, &k, &q, from, P, Z);
     element_equations(&t.p, NULL, &k, &q, &t.s, t.at, from, S, A, Mn);
     attach_part_above(Mn, &t.above, P, Z, from, S, A);
-    if (w->x->counting) count_unstable(w, s, &t, S, &k);
-    if (w->x->small) keep_small(w, s, &t, &q, P, S);
+    if (w->counting) count_unstable(w, s, &t, S, &k);
+    if (w->x->small) keep_small(s, &t, &q, P, S);
     real_truth apart = solve_some(w, s, &t, &k, P, S, A, from);
     for (int r = 0; r < 6; r++)
         for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
     base_wrench_of(half, &q, t.load, from, T, B);
     follow_answer(half, &q, &t.above, P, T, A, from, Z, B);
     add_left_out(P, A, from, Z);
-    keep_reaction(s, w->x->answer, from, 0, A);
-    keep_reaction(s, w->x->node, from, 1, Z);
-    pass_reaction(w, s, from, B, apart);
+    keep_reaction(s, ARRAY(answer), from, 0, A);
+    keep_reaction(s, ARRAY(node), from, 1, Z);
+    pass_reaction(s, from, B, apart);
 }
 
 static __attribute__((noinline)) void eliminate_upwards(struct work *w, const struct some *s, size_t part)
@@ -411,9 +429,8 @@ static __attribute__((noinline)) void eliminate_varying(struct work *w, const st
 }
 
 /* Sums over the lanes, in one order at any width. */
-static void sum_up(const struct work *w)
+static void sum_up(const struct work *w, struct wf_groups_sweep *x)
 {
-    struct wf_groups_sweep *x = w->x;
     x->bending = x->energy = x->strain = x->turn = 0;
     for (int i = 0; i < WF_GROUP; i++) {
         const struct beam_misfit *m = &w->misfit[i / WF_WIDTH];
@@ -424,30 +441,92 @@ static void sum_up(const struct work *w)
     x->strain = sqrt(x->strain), x->turn = sqrt(x->turn);
 }
 
+/* A sweep of so many lanes; those to spare are as the first. */
+static void begin_work(struct wf_groups_sweep *const *x, size_t n, struct work *w)
+{
+    const struct wf_loads *loads[WF_WIDTH];
+    *w = (struct work){ .x = x[0] };
+    for (size_t k = 0; k < WF_WIDTH; k++) {
+        struct wf_groups_sweep *own = x[k < n ? k : 0];
+        loads[k] = own->loads;
+        real_lane(w->gravity, k) = own->loads->gravity;
+        real_lane(w->weight_scale, k) = own->loads->weight_scale;
+        real_lane(w->point_scale, k) = own->loads->point_scale;
+        real_lane(w->margin, k) = own->margin;
+        real_lane(w->guard, k) = own->guard ? -1 : 0;
+        w->counting = w->counting || own->counting;
+        own->negative = 0, own->bears = 0;
+    }
+    set_air(loads, &w->air);
+}
+
+/* What a sweep computes of some elements. */
+typedef void of_some(struct work *, const struct some *, size_t);
+
+static of_some *kind_of(const struct work *w)
+{
+    /* ties pull by where their ends are in all directions, as winds of any form blow */
+    bool upwards = w->air.profile != WF_PROFILE_OTHER && !w->x->loads->ties;
+    return !w->x->tangent ? forces_of_some : upwards ? eliminate_upwards : eliminate_varying;
+}
+
 static bool down(struct wf_groups_sweep *x)
 {
-    const struct wf_loads *all[WF_WIDTH];
-    struct work w = { .x = x };
-    for (int k = 0; k < WF_WIDTH; k++) all[k] = x->loads;
-    set_air(all, &w.air);
-    /* ties pull by where their ends are in all directions, as winds of any form blow */
-    bool upwards = w.air.profile != WF_PROFILE_OTHER && !x->loads->ties;
-    void (*of_some)(struct work *, const struct some *, size_t) =
-        !x->tangent ? forces_of_some : (upwards ? eliminate_upwards : eliminate_varying);
-    x->negative = 0, x->bears = 0;
-    for (size_t g = 0; g < x->groups->n && !w.broken; g++) {
+    struct wf_groups_sweep *all[WF_WIDTH];
+    struct work w;
+    for (size_t k = 0; k < WF_WIDTH; k++) all[k] = x;
+    begin_work(all, WF_WIDTH, &w);
+    of_some *compute = kind_of(&w);
+    for (size_t g = 0; g < x->groups->n && !real_any(w.broken); g++) {
         const struct wf_beam_group *group = &x->groups->group[g];
         if (g + 1 < x->groups->n) fetch_down(x, group + 1);
         for (size_t from = 0; from < (size_t)group->n; from += WF_WIDTH) {
-            struct some s = some_of(group, from);
-            of_some(&w, &s, from / WF_WIDTH);
+            struct some s = some_of(x, group, from);
+            compute(&w, &s, from / WF_WIDTH);
         }
     }
-    sum_up(&w);
-    return !w.broken;
+    sum_up(&w, x);
+    return !real_any(w.broken);
 }
 
-const struct wf_groups_kernel NAMED(WF_WIDTH) = { .up = up, .down = down };
+/* The elements of chains that are `from_top` below the last one of each. Returned: whether one is left that
+ * does not stand on the ground. */
+static bool some_of_chains(struct wf_groups_sweep *const *x, size_t n, size_t from_top, struct some *s)
+{
+    s->n = n;
+    while (s->n && x[s->n - 1]->mesh->n < from_top + 2) s->n--;
+    for (size_t k = 0; k < WF_WIDTH && s->n; k++)
+        s->of[k] = x[k < s->n ? k : 0], s->id[k] = s->of[k]->mesh->n - 1 - from_top;
+    set_here(s);
+    return s->n > 0;
+}
+
+static void chains_up(struct wf_groups_sweep *const *x, size_t n)
+{
+    struct some s;
+    for (size_t step = x[0]->mesh->n; step-- > 0;) {
+        if (some_of_chains(x, n, step, &s)) up_some(&s);
+    }
+}
+
+static void chains_down(struct wf_groups_sweep *const *x, size_t n)
+{
+    struct work w;
+    struct some s;
+    begin_work(x, n, &w);
+    of_some *compute = kind_of(&w);
+    for (size_t step = 0; some_of_chains(x, n, step, &s); step++) compute(&w, &s, 0);
+    for (size_t k = 0; k < n; k++) {
+        const struct beam_misfit *m = &w.misfit[0];
+        x[k]->bending = real_lane(m->bending, k), x[k]->energy = real_lane(m->energy, k);
+        x[k]->strain = sqrt(real_lane(m->strain, k)), x[k]->turn = sqrt(real_lane(m->turn, k));
+        x[k]->whole = !real_lane(w.broken, k);
+    }
+}
+
+const struct wf_groups_kernel NAMED(WF_WIDTH) = {
+    .width = WF_WIDTH, .up = up, .down = down, .chains_up = chains_up, .chains_down = chains_down
+};
 
 #if WF_WIDTH == 1 /* once */
 
@@ -521,9 +600,9 @@ enum wf_status wf_beam_groups_make(const struct wf_beam_mesh *m, struct wf_arena
     return memory ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for groups of %zu beam elements", m->n);
 }
 
-const struct wf_groups_kernel *wf_groups_kernel(void)
+const struct wf_groups_kernel *wf_groups_kernel(size_t n)
 {
-    switch (wf_lanes_kernel(WF_LANES_MOST)->width) {
+    switch (wf_lanes_kernel(n)->width) {
     case 8:
         return &wf_groups_8;
     case 4:

@@ -34,6 +34,7 @@ struct wf_groups_sweep {
     double *small; /* NULL: not wanted; else filled with the tangent */
     double *off;   /* NULL: not wanted */
     bool *weak;    /* NULL: not wanted */
+    bool upwards;  /* by chains: the way up */
     bool tangent;  /* eliminate too */
     bool guard;    /* as in wf_beam_eliminate */
     bool frozen;   /* derivatives of the loads are left out */
@@ -42,16 +43,23 @@ struct wf_groups_sweep {
     /* returned by `down`, sums over the groups: as struct wf_beam_misfit and struct wf_beam_stability */
     double bending, energy, strain, turn, bears;
     size_t negative;
+    bool whole; /* by `chains_down`: as the answer of `down` */
 };
 
 struct wf_groups_kernel {
+    size_t width;
     /* Place the elements, whose bases on the ground are placed. */
     void (*up)(struct wf_groups_sweep *x);
     /* Forces, residual, tangent; adds to `wrench` and `node` of the elements below. false: a tangent is
      * singular. */
     bool (*down)(struct wf_groups_sweep *x);
+    /* The same of up to `width` trees side by side, whose elements stand one on another, by falling numbers
+     * of elements; those on the ground are left out. On the way down they are alike in `tangent`, `frozen`,
+     * in `small` (wanted or not) and in the forms of their winds, and have no `off`, `weak` or ties. */
+    void (*chains_up)(struct wf_groups_sweep *const *x, size_t n);
+    void (*chains_down)(struct wf_groups_sweep *const *x, size_t n);
 };
 extern const struct wf_groups_kernel wf_groups_1, wf_groups_4, wf_groups_8;
-/* Kernel for this processor; WINDFIRM_LANES as for wf_lanes_kernel. */
-const struct wf_groups_kernel *wf_groups_kernel(void);
+/* Kernel for so many lanes on this processor; WINDFIRM_LANES as for wf_lanes_kernel. */
+const struct wf_groups_kernel *wf_groups_kernel(size_t n);
 #endif

@@ -263,8 +263,8 @@ static bool side_by_side(const struct wf_tree *t, const struct wf_beam_state *st
 {
     bool covered = n > 1 && !t->section && !(o->root_stiffness[0] > 0) && !(o->root_stiffness[1] > 0);
     for (size_t k = 0; k < n && covered; k++)
-        covered =
-            !state[k].loads->points && !state[k].loads->ties && state[k].loads->line == state[0].loads->line;
+        covered = !state[k].loads->points && !state[k].loads->ties && !state[k].loads->links &&
+                  state[k].loads->line == state[0].loads->line;
     return covered;
 }
 

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_newton.h"
+#include "base/abreast.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
+#include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
 #include "solve/beam_parts.h"
 #include "solve/beam_rest.h"
+#include "solve/beam_team.h"
 #include <float.h>
 
 enum { AHEAD = 8 }; /* elements whose loads are computed together */
@@ -21,12 +24,6 @@ const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struc
     return ground;
 }
 
-/* The elements that move, from the ground up: how many, and which is the k-th. */
-static size_t moving(const struct wf_beam *b) { return b->only ? b->only->n : b->mesh.n; }
-static size_t moved(const struct wf_beam *b, size_t k) { return b->only ? (size_t)b->only->id[k] : k; }
-
-static bool held(const struct wf_beam *b, size_t i) { return b->only && b->only->held[i]; }
-
 /* Does the element stand on one that is held? */
 static bool on_held(const struct wf_beam *b, size_t i)
 {
@@ -36,6 +33,13 @@ static bool on_held(const struct wf_beam *b, size_t i)
 
 /* Are the elements that do not stand on the ground computed by groups? */
 static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->only && !(b->creep > 0); }
+
+/* A stem by itself is computed beside those of other jobs. */
+static bool in_team(const struct wf_beam *b)
+{
+    return b->chain && wf_abreast_inside() && !b->only && !(b->creep > 0) && !b->off && !b->weak &&
+           !b->loads.ties && !b->loads.links;
+}
 
 static struct wf_groups_sweep groups_of(const struct wf_beam *b)
 {
@@ -58,20 +62,23 @@ static struct wf_groups_sweep groups_of(const struct wf_beam *b)
 void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
-    const bool groups = by_groups(b);
+    const bool groups = by_groups(b), many = groups || in_team(b);
     b->counted = false;
-    for (size_t k = 0; k < moving(b); k++) {
-        size_t i = moved(b, k);
-        if (!(groups && b->mesh.part[i].parent >= 0))
+    for (size_t k = 0; k < wf_beam_moving(b); k++) {
+        size_t i = wf_beam_moved(b, k);
+        if (!(many && b->mesh.part[i].parent >= 0))
             wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
                           &b->pose[i]);
     }
-    if (groups) {
+    if (many) {
         struct wf_groups_sweep all = groups_of(b);
-        wf_groups_kernel()->up(&all);
+        if (groups)
+            wf_groups_kernel(WF_LANES_MOST)->up(&all);
+        else
+            wf_beam_team_up(&all);
     }
-    for (size_t k = 0; b->flat && k < moving(b); k++) {
-        size_t i = moved(b, k);
+    for (size_t k = 0; b->flat && k < wf_beam_moving(b); k++) {
+        size_t i = wf_beam_moved(b, k);
         b->flat[i] = b->mesh.flat[i];
         wf_beam_turn(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->flat[i]);
     }
@@ -80,8 +87,8 @@ void wf_beam_sweep_up(struct wf_beam *b)
 /* Off-axis weight at the present load scale. */
 static void set_side_weight(struct wf_beam *b)
 {
-    for (size_t k = 0; b->flat && k < moving(b); k++)
-        b->flat[moved(b, k)].weight = b->loads.weight_scale * b->loads.gravity;
+    for (size_t k = 0; b->flat && k < wf_beam_moving(b); k++)
+        b->flat[wf_beam_moved(b, k)].weight = b->loads.weight_scale * b->loads.gravity;
 }
 
 static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
@@ -96,61 +103,6 @@ static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
                                       &b->node[i], &b->answer[i], below, guard, count, small);
     return wf_beam_eliminate(p, &b->shape[i], L, creep, &b->stage[i], load, at, &b->node[i], &b->answer[i],
                              below, guard, count, small);
-}
-
-/* Loads at element ends: point masses, dead and follower forces and moments. */
-static void load_nodes(struct wf_beam *b)
-{
-    const struct wf_loads *l = &b->loads;
-    for (size_t k = 0; k < moving(b); k++) {
-        size_t i = moved(b, k);
-        b->wrench[i] = (struct wf_beam_wrench){ { 0 }, { 0 } };
-        if (b->mesh.mass1) b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
-    }
-    for (size_t k = 0; k < l->points; k++) {
-        const struct wf_point_load *q = &l->point[k];
-        size_t i = (size_t)b->mesh.last[q->segment];
-        double f[3], m[3];
-        if (held(b, i)) continue;
-        memcpy(f, q->force, sizeof f), memcpy(m, q->moment, sizeof m);
-        if (q->kind == WF_POINT_FOLLOWER) m3_apply(b->pose[i].L, f, f), m3_apply(b->pose[i].L, m, m);
-        v3_add(b->wrench[i].n, l->point_scale, f);
-        v3_add(b->wrench[i].m, l->point_scale, m);
-    }
-    for (size_t k = 0; k < l->ties; k++) {
-        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
-        double f[3];
-        if (held(b, i)) continue;
-        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, NULL);
-        v3_add(b->wrench[i].n, 1, f);
-    }
-}
-
-/* Follower loads rotate with their section: dn = spin x n. Cables resist as their ends move. */
-static void react_nodes(struct wf_beam *b)
-{
-    const struct wf_loads *l = &b->loads;
-    for (size_t k = 0; k < moving(b); k++) memset(&b->node[moved(b, k)], 0, sizeof *b->node);
-    for (size_t k = 0; k < l->points; k++) {
-        const struct wf_point_load *q = &l->point[k];
-        size_t i = (size_t)b->mesh.last[q->segment];
-        if (q->kind != WF_POINT_FOLLOWER || b->frozen || held(b, i)) continue;
-        double f[3], m[3], N[9] = { 0 }, M[9] = { 0 };
-        m3_apply(b->pose[i].L, q->force, f), m3_apply(b->pose[i].L, q->moment, m);
-        m3_add_cross(N, -l->point_scale, f), m3_add_cross(M, -l->point_scale, m);
-        for (int r = 0; r < 3; r++)
-            for (int c = 0; c < 3; c++) {
-                b->node[i].K[r][3 + c] += N[3 * r + c];
-                b->node[i].K[3 + r][3 + c] += M[3 * r + c];
-            }
-    }
-    for (size_t k = 0; k < l->ties; k++) {
-        size_t i = (size_t)b->mesh.last[l->tie[k].segment];
-        double f[3], by[9];
-        if (held(b, i)) continue;
-        (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, by);
-        for (int r = 0; r < 9; r++) b->node[i].K[r / 3][r % 3] += by[r];
-    }
 }
 
 /* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m - m0, with m0 the moment in the
@@ -217,7 +169,7 @@ static void load_ahead(const struct wf_beam *b, size_t k, struct ahead *a)
     struct wf_lanes_point point[2 * AHEAD];
     size_t points = 0;
     for (k++; k-- > 0 && points < 2 * a->most;) {
-        size_t i = moved(b, k);
+        size_t i = wf_beam_moved(b, k);
         for (int j = 0; j < 2; j++)
             point[points++] = (struct wf_lanes_point){ b->stage[i].r[j], b->stage[i].t[j],
                                                        b->mesh.part[i].dead[j], &b->mesh.part[i].line[j] };
@@ -236,13 +188,13 @@ static struct wf_line_load *load_of(const struct wf_beam *b, size_t k, struct ah
     return load;
 }
 
-/* The groups on the way down. */
-static bool groups_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
+/* The elements that do not stand on the ground, by groups or beside those of other trees. */
+static bool many_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
 {
     struct wf_groups_sweep x = groups_of(b);
     x.tangent = tangent, x.guard = guard, x.counting = count;
     if (count) x.margin = count->margin;
-    bool whole = wf_groups_kernel()->down(&x);
+    bool whole = by_groups(b) ? wf_groups_kernel(WF_LANES_MOST)->down(&x) : wf_beam_team_down(&x);
     b->misfit = (struct wf_beam_misfit){ x.bending, x.energy, x.strain, x.turn };
     if (count) count->negative = x.negative, count->bears = x.bears;
     return whole;
@@ -250,22 +202,21 @@ static bool groups_down(struct wf_beam *b, bool tangent, bool guard, struct wf_b
 
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
-    const bool groups = by_groups(b);
+    const bool groups = by_groups(b) || in_team(b);
     struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST), .most = groups ? 1 : AHEAD };
-    struct wf_beam_pose ground;
-    double first[3] = { 0, 0, 0 };
+    struct wf_beam_pose ground, lowest;
+    const double *first = wf_beam_base(b, 0, &lowest)->r;
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 }, b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
     if (!b->only) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
-    load_nodes(b);
+    wf_beam_ends_load(b);
     set_side_weight(b);
-    if (tangent) react_nodes(b);
-    memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
-    if (groups && !groups_down(b, tangent, guard, count)) return false;
-    for (size_t k = moving(b); k-- > 0;) {
-        const size_t i = moved(b, k);
+    if (tangent) wf_beam_ends_react(b);
+    if (groups && !many_down(b, tangent, guard, count)) return false;
+    for (size_t k = wf_beam_moving(b); k-- > 0;) {
+        const size_t i = wf_beam_moved(b, k);
         if (groups && b->mesh.part[i].parent >= 0) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
@@ -304,6 +255,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
         if (count && count->negative > unstable) count->bears = INFINITY;
     }
+    if (tangent && b->links && !b->only && !wf_beam_links_join(b, count)) return false;
     if (count) b->stability = *count;
     b->counted = count && isfinite(b->misfit.bending);
     return isfinite(b->misfit.bending);
@@ -320,14 +272,14 @@ static bool take_newton(struct wf_beam *b, struct wf_arena *a)
     b->answer = wf_arena_take_unset(a, n, sizeof *b->answer);
     b->change = wf_arena_take_unset(a, n, sizeof *b->change);
     b->dv = wf_arena_take_unset(a, n, sizeof *b->dv);
-    b->off = wf_arena_take_unset(a, n, sizeof *b->off);
+    if (!b->chain) b->off = wf_arena_take_unset(a, n, sizeof *b->off);
     p->id = wf_arena_take_unset(a, n, sizeof *p->id);
     p->held = wf_arena_take_unset(a, n, sizeof *p->held);
     p->root = wf_arena_take_unset(a, n, sizeof *p->root);
     p->place = wf_arena_take_unset(a, n, sizeof *p->place);
     p->saved = wf_arena_take_unset(a, n, sizeof *p->saved);
-    return b->node && b->answer && b->change && b->dv && b->off && p->id && p->held && p->root && p->place &&
-           p->saved;
+    return b->node && b->answer && b->change && b->dv && (b->chain || b->off) && p->id && p->held &&
+           p->root && p->place && p->saved;
 }
 
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
@@ -341,6 +293,8 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     if (newton && !b->mesh.flat && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
     struct wf_arena *forces = newton ? newton : a;
     size_t n = b->mesh.n;
+    b->chain = n > 1 && !b->mesh.flat;
+    for (size_t i = 0; i < n && b->chain; i++) b->chain = b->mesh.part[i].parent == (int32_t)i - 1;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
     b->root_change = wf_arena_take(a, t->n, sizeof *b->root_change);
@@ -356,7 +310,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
         !b->pose || !b->stage || !b->wrench || !b->load || (newton && !take_newton(b, newton)) ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
-    return WF_OK;
+    return l->links && newton ? wf_beam_links_take(b, newton, e) : WF_OK;
 }
 
 /* Limit an element's own rotation; everything above it moves accordingly. base, end: changes of its ends. */
@@ -382,8 +336,8 @@ static double newton_corrections(struct wf_beam *b)
 {
     static const double still[6];
     double most = 0;
-    for (size_t k = 0; k < moving(b); k++) {
-        const size_t i = moved(b, k);
+    for (size_t k = 0; k < wf_beam_moving(b); k++) {
+        const size_t i = wf_beam_moved(b, k);
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
@@ -398,8 +352,8 @@ static double newton_corrections(struct wf_beam *b)
 
 static void apply_correction(struct wf_beam *b, double share)
 {
-    for (size_t k = 0; k < moving(b); k++) {
-        size_t i = moved(b, k);
+    for (size_t k = 0; k < wf_beam_moving(b); k++) {
+        size_t i = wf_beam_moved(b, k);
         for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
     }
     for (size_t i = 0; i < b->mesh.tree->n && !b->only; i++)
@@ -412,9 +366,9 @@ static void apply_correction(struct wf_beam *b, double share)
 static double stability_margin(const struct wf_beam *b)
 {
     double turn = 0;
-    for (size_t k = 0; k < moving(b); k++)
+    for (size_t k = 0; k < wf_beam_moving(b); k++)
         for (int j = 0; j < 2; j++) {
-            const double *v = b->shape[moved(b, k)].v[j];
+            const double *v = b->shape[wf_beam_moved(b, k)].v[j];
             turn = fmax(turn, wf_dot(v, v));
         }
     return 1e-6 + 0.5 * turn;
@@ -529,7 +483,7 @@ static bool newton_step(struct wf_beam *b, bool watch)
 {
     const double turn_limit = 3; /* [rad] rotation of a node in one step */
     /* relative residual before the last step: convergence is quadratic */
-    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.1);
+    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.3);
     double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     struct wf_beam_stability count;
@@ -574,7 +528,7 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     enum { TRIES = 8 };
     const double nearly = 0.8, few = 0.5;
     double before = INFINITY, relaxed_at = INFINITY;
-    if (!b->only) b->tries = TRIES;
+    if (!b->only) b->tries = b->off && !b->links ? TRIES : 0;
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
@@ -617,4 +571,21 @@ bool wf_beam_finish(struct wf_beam *b)
     return wf_beam_sweep_down(b, false, NULL);
 }
 
-bool wf_beam_step(struct wf_beam *b) { return wf_beam_sweep_down(b, true, NULL) && wf_beam_finish(b); }
+bool wf_beam_step(struct wf_beam *b, bool *stable)
+{
+    struct wf_beam_stability count = { .margin = stable ? stability_margin(b) : 0 };
+    bool swept = wf_beam_sweep_down(b, true, stable ? &count : NULL);
+    if (stable) *stable = swept && wf_beam_stable(b);
+    return swept && wf_beam_finish(b);
+}
+
+bool wf_beam_apart(const struct wf_beam *b)
+{
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        bool follows = false;
+        for (int r = 0; r < 6 && !follows; r++)
+            for (int c = 0; c < 6; c++) follows = follows || b->answer[i].X[r][c] != 0;
+        if (!follows) return true;
+    }
+    return false;
+}

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_NEWTON_H
 #define WF_SOLVE_BEAM_NEWTON_H
-/* All elements of a tree together: sweeps up and down the tree, Newton's method, and what to do when Newton
+/* Sweeps up and down the tree, Newton's method, and what to do when Newton
  * stalls. */
 #include "solve/beam_state.h"
 
@@ -32,19 +32,18 @@ bool wf_beam_stable(struct wf_beam *b);
 bool wf_beam_rests(struct wf_beam *b);
 
 /* One Newton step from the present shape (after wf_beam_sweep_up) at the present loads, and the forces of the
- * shape it leads to: from the equilibrium at loads that differ by d, the error is of order d^2.
+ * shape it leads to: from the equilibrium at loads that differ by d, the error is of order d^2. *stable (NULL:
+ * not wanted): as wf_beam_stable, of the present shape, without a sweep of its own.
  * wf_beam_finish: the same with the tangent of the last sweep, after which neither shape nor loads have
  * changed. false: the tangent is singular. */
-bool wf_beam_step(struct wf_beam *b);
+bool wf_beam_step(struct wf_beam *b, bool *stable);
 bool wf_beam_finish(struct wf_beam *b);
+
+/* Did the last sweep take an element by itself (guard of wf_beam_eliminate), so that its tangent is not exact?
+ * May also be said of an element on which nothing acts. */
+bool wf_beam_apart(const struct wf_beam *b);
 
 /* Pose of the base of element i: the end of the element below, or the root plate (written to *ground).
  * Returned: a pointer to one of the two. */
 const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground);
-
-/* Section of element i in the deformed state; NULL: it is round. */
-static inline const struct wf_beam_flat *wf_beam_flat_of(const struct wf_beam *b, size_t i)
-{
-    return b->flat ? &b->flat[i] : NULL;
-}
 #endif

@@ -16,14 +16,10 @@ struct saved_shape {
     double (*tilt)[3];
 };
 
-/* The elements that move, and which is the k-th. */
-static size_t moving(const struct wf_beam *b) { return b->only ? b->only->n : b->mesh.n; }
-static size_t moved(const struct wf_beam *b, size_t k) { return b->only ? (size_t)b->only->id[k] : k; }
-
 static void copy_shape(const struct wf_beam *b, struct wf_beam_shape *to, double (*tilt)[3],
                        const struct wf_beam_shape *from, double (*from_tilt)[3])
 {
-    for (size_t k = 0; k < moving(b); k++) to[moved(b, k)] = from[moved(b, k)];
+    for (size_t k = 0; k < wf_beam_moving(b); k++) to[wf_beam_moved(b, k)] = from[wf_beam_moved(b, k)];
     if (!b->only) memcpy(tilt, from_tilt, b->mesh.tree->n * sizeof *tilt);
 }
 
@@ -50,7 +46,8 @@ static void scale_loads(struct wf_beam *b, const struct wf_loads *full, double s
 static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last)
 {
     double share = 0, size = 0.25;
-    for (size_t k = 0; k < moving(b); k++) b->shape[moved(b, k)] = (struct wf_beam_shape){ 0 };
+    for (size_t k = 0; k < wf_beam_moving(b); k++)
+        b->shape[wf_beam_moved(b, k)] = (struct wf_beam_shape){ 0 };
     if (!b->only) memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
     save_shape(b, last);
     size_t most = b->iterations + EFFORT;
@@ -76,9 +73,9 @@ static void perturb_shape(struct wf_beam *b)
     for (size_t i = 0; i < b->mesh.tree->n && !b->only; i++)
         for (int j = 0; j < 2; j++)
             if (b->options->root_stiffness[j] > 0) b->tilt[i][j] += j ? 2e-4 : 6e-5;
-    for (size_t k = 0; k < moving(b); k++)
+    for (size_t k = 0; k < wf_beam_moving(b); k++)
         for (int j = 0; j < 2; j++) {
-            double *v = b->shape[moved(b, k)].v[j];
+            double *v = b->shape[wf_beam_moved(b, k)].v[j];
             v[1] += 1e-4 * (j + 1), v[0] += 3e-5 * (j + 1);
         }
 }
@@ -95,8 +92,8 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
     b->tilt0 = last->tilt;
     for (int k = 0; k < 400 && b->iterations < most; k++) {
         save_shape(b, last);
-        for (size_t m = 0; m < moving(b); m++) {
-            size_t i = moved(b, m);
+        for (size_t m = 0; m < wf_beam_moving(b); m++) {
+            size_t i = wf_beam_moved(b, m);
             wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
         }
         b->creep = rate;
@@ -159,7 +156,7 @@ bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a)
     enum { ROUNDS = 4 };
     const double slight = 1e-3;
     struct saved_shape last;
-    if (!take_fallback(b, a, &last)) return false;
+    if (!b->off || b->links || !take_fallback(b, a, &last)) return false;
     for (int round = 0; round < ROUNDS; round++) {
         wf_beam_sweep_up(b);
         if (!wf_beam_sweep_down(b, true, NULL) || b->misfit.bending > 1e-3 * b->misfit.energy) return false;

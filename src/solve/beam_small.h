@@ -5,31 +5,11 @@
  * differences, and the flexibility that natural frequencies need. */
 #include "base/vec3.h"
 #include "solve/beam_newton.h"
-
-/* Right-hand sides that are solved together: each factor of the tangent is read once for all of them.
- * Innermost index of the arrays below; a side that is not needed is zero. */
-enum { WF_BEAM_SIDES = 4 };
-
-/* A disturbance of one element at its two Gauss points, at fixed shape, per unit of its cause. */
-struct wf_beam_disturbance {
-    wf_four force[2][3];   /* on the axis, per reference length [N/m] */
-    wf_four couple[2][3];  /* on the axis, per reference length [N m/m] */
-    wf_four law[2][3];     /* change of the material law's moment at the present curvature [N m];
-                                            for a    change of ln E of the element this is the moment itself:
-                                            wf_beam_law_moment */
-    wf_four stretch[2][3]; /* change of the strain of the axis at the present forces [-] */
-};
+#include "solve/beam_path.h"
 
 /* Linearise about the present, solved state, which is not changed. frozen: wind acts as a dead load. Errors:
  * WF_ENOMEM; WF_EUNSTABLE when the tangent is singular. */
 enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena *a, struct wf_err *e);
-
-/* Work space of one element. */
-struct wf_beam_sides {
-    wf_four push[6];       /* wrench on its end */
-    wf_four y[6];          /* spins of its Gauss points; then the change of its end */
-    wf_four stretch[2][3]; /* strains there at constant spin */
-};
 
 struct wf_beam_small_answer {
     wf_four (*ends)[6]; /* per element: displacement and spin of its end, global axes; may be NULL */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_STATE_H
 #define WF_SOLVE_BEAM_STATE_H
-/* The state of a tree's beam elements, and which of them move. */
+/* All elements of a tree together. */
 #include "solve/beam_element.h"
 #include "solve/beam_groups.h"
 
@@ -14,9 +14,11 @@ struct wf_beam_only {
     double (*saved)[3][6];
 };
 
+struct wf_beam_links;
 struct wf_beam {
     struct wf_beam_mesh mesh;
     struct wf_beam_groups groups; /* of elements that are computed side by side */
+    bool chain;                   /* several elements, round, each on the one before: no branches */
     struct wf_loads loads;        /* a copy: load steps change its scale factors */
     const struct wf_solve_options *options;
     double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
@@ -36,9 +38,10 @@ struct wf_beam {
     double (*dv)[2][3];
     double (*k0)[2][3];          /* curvature at the start of a creep step */
     double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
-    struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
+    struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it, or there are links */
     struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
     wf_four (*root_moved)[6];    /* as `small`, per row, for roots: change of the base pose by small loads */
+    struct wf_beam_links *links; /* NULL: there are none (solve/beam_ends.h) */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
@@ -49,10 +52,25 @@ struct wf_beam {
     struct wf_beam_only part;        /* room for such a list */
     bool *weak;   /* per element: set where it is unstable with all above it, when that is counted; NULL: not
                      wanted */
-    double *off;  /* per element: its part of misfit.bending; NULL: not wanted */
+    double *off;  /* per element: its part of misfit.bending; NULL: a tree without branches */
     size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
     bool hasty; /* what follows where Newton's method stalls takes less time than to wait for it */
-    int tries; /* of small parts by themselves, left in this call of Newton's method */
+    int tries;  /* of small parts by themselves, left in this call of Newton's method */
 };
+
+/* The elements that move, from the ground up: how many, and which is the k-th; and does one keep its place?
+ */
+static inline size_t wf_beam_moving(const struct wf_beam *b) { return b->only ? b->only->n : b->mesh.n; }
+static inline size_t wf_beam_moved(const struct wf_beam *b, size_t k)
+{
+    return b->only ? (size_t)b->only->id[k] : k;
+}
+static inline bool wf_beam_held(const struct wf_beam *b, size_t i) { return b->only && b->only->held[i]; }
+
+/* Section of element i in the deformed state; NULL: it is round. */
+static inline const struct wf_beam_flat *wf_beam_flat_of(const struct wf_beam *b, size_t i)
+{
+    return b->flat ? &b->flat[i] : NULL;
+}
 #endif

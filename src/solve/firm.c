@@ -223,7 +223,7 @@ enum wf_status wf_firm(struct wf_tree *t, const struct wf_loads *l, const struct
     struct wf_arena work = { 0 };
     struct trial k = { .tree = t, .weight = *l, .load_factor = load_factor };
     *out = (struct wf_firm){ .refused = -1, .part = WF_TAKE(a, t->n, struct wf_firm_part) };
-    k.weight.wind = NULL, k.weight.points = k.weight.ties = 0, k.weight.line = NULL;
+    k.weight.wind = NULL, k.weight.points = k.weight.ties = k.weight.links = 0, k.weight.line = NULL;
     if (!out->part) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     enum wf_status s = own_columns(t, a, e);
     if (!s) s = take_trial(&k, o, &work, e);

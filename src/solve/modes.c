@@ -593,7 +593,7 @@ enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
     if (status) return status;
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    weight.wind = NULL, weight.points = weight.ties = 0, weight.line = NULL;
+    weight.wind = NULL, weight.points = weight.ties = weight.links = 0, weight.line = NULL;
     int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
     double before = NAN;

@@ -39,6 +39,26 @@ void wf_solve_options_default(struct wf_solve_options *o)
 
 static bool finite3(const double x[3]) { return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]); }
 
+static enum wf_status check_links(const struct wf_tree *t, const struct wf_loads *l, struct wf_err *e)
+{
+    if (l->links > WF_LINKS_MAX)
+        return wf_fail(e, WF_EINPUT, "%zu cables or rods between two points; %d are possible", l->links,
+                       (int)WF_LINKS_MAX);
+    for (size_t k = 0; k < l->links; k++) {
+        const struct wf_link *x = &l->link[k];
+        for (int i = 0; i < 2; i++)
+            if (x->segment[i] < 0 || (size_t)x->segment[i] >= t->n)
+                return wf_fail(e, WF_EINPUT, "cable %zu is fixed to row %ld; the tree has rows 0 to %zu",
+                               k + 1, (long)x->segment[i], t->n - 1);
+        if (x->segment[0] == x->segment[1])
+            return wf_fail(e, WF_EINPUT, "cable %zu has both ends at segment %lld", k + 1,
+                           (long long)t->id[x->segment[0]]);
+        if (!(x->stiffness > 0) || !isfinite(x->stiffness) || !(x->length > 0) || !isfinite(x->length))
+            return wf_fail(e, WF_EINPUT, "cable %zu: its stiffness and its length must be above 0", k + 1);
+    }
+    return WF_OK;
+}
+
 static enum wf_status check_solver_loads(const struct wf_tree *t, const struct wf_loads *l, struct wf_err *e)
 {
     if (!isfinite(l->gravity) || !isfinite(l->wind_scale) || !isfinite(l->weight_scale) ||
@@ -59,7 +79,7 @@ static enum wf_status check_solver_loads(const struct wf_tree *t, const struct w
         if (!finite3(l->line + 3 * i))
             return wf_fail(e, WF_EINPUT, "the line load on segment %lld is not a finite number",
                            (long long)t->id[i / 2]);
-    return WF_OK;
+    return check_links(t, l, e);
 }
 
 enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,

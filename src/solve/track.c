@@ -34,7 +34,7 @@ struct wf_track {
     size_t solutions;    /* on this mesh */
     bool at_last;        /* begin at the last form of `like` */
     bool solved, rested; /* there is a last form, a form at rest */
-    struct form last, lead, rest;
+    struct form last, lead, rest, before; /* before: the last one while the next is tried */
     size_t stations;
     struct station station[STATIONS];
 };
@@ -61,8 +61,11 @@ void wf_track_close(struct wf_track *k)
     free(k);
 }
 
+/* Is one mesh kept, without a tolerance? */
+static bool one_mesh(const struct wf_track *k) { return !(k->options.mesh_tolerance > 0); }
+
 /* Is the tolerance mostly met by the first mesh? */
-static bool coarse(const struct wf_track *k) { return k->options.mesh_tolerance >= 1e-4; }
+static bool coarse(const struct wf_track *k) { return one_mesh(k) || k->options.mesh_tolerance >= 1e-4; }
 
 /* The unknowns of the beam itself. */
 static struct form form_of(const struct wf_beam *b) { return (struct form){ b->shape, b->tilt }; }
@@ -96,7 +99,9 @@ static enum wf_status take_forms(struct wf_track *k, struct wf_err *e)
 {
     k->stations = 0;
     for (size_t i = 0; i < STATIONS; i++) k->station[i] = (struct station){ .speed = 0 };
-    if (take_form(k, &k->last) && take_form(k, &k->lead) && take_form(k, &k->rest)) return WF_OK;
+    if (take_form(k, &k->last) && take_form(k, &k->lead) && take_form(k, &k->rest) &&
+        take_form(k, &k->before))
+        return WF_OK;
     return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions of %zu elements",
                    k->beam.mesh.n);
 }
@@ -285,6 +290,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
 static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
 {
     bool meets;
+    if (one_mesh(k)) return WF_OK;
     struct wf_arena scratch = { 0 };
     int32_t *pieces = WF_TAKE(&scratch, k->tree->n, int32_t);
     enum wf_status s = pieces ? wf_beam_mesh_meets(&k->beam, k->options.mesh_tolerance, &meets, pieces, e)
@@ -387,11 +393,14 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
     return s ? s->speed : k->speed;
 }
 
+enum { CHECKED = 4 }; /* every fourth solution is compared with one on a finer mesh */
+
+static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
+
 /* From the nearest solution: Newton's method, then all that the beam solver does. */
 static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
                             struct wf_err *e)
 {
-    enum { CHECKED = 4 };
     struct wf_beam *b = &k->beam;
     struct wf_arena scratch = { 0 };
     enum wf_status s = WF_OK;
@@ -407,12 +416,12 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     b->k0 = NULL;
     wf_arena_free(&scratch);
     b->loads = *l;
-    return s || k->at_last || ++k->solutions % CHECKED ? s : check_mesh(k, l, e);
+    return s || keeps_mesh(k) || ++k->solutions % CHECKED ? s : check_mesh(k, l, e);
 }
 
 /* The answer, and that at the other loads: one Newton step further at each, of which the first takes away
- * what Newton's method has left. */
-static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone,
+ * what Newton's method has left. *stable (NULL: it is known): is the equilibrium? */
+static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone, bool *stable,
                                 struct wf_arena *a, struct wf_tracked *out, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
@@ -430,7 +439,7 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     put_back(k, k->last);
     wf_beam_sweep_up(b);
     b->loads = *side;
-    if (!wf_beam_step(b)) return WF_OK;
+    if (!wf_beam_step(b, stable)) return WF_OK;
     wf_beam_read(b, &out->side);
     const struct form at = k->lead; /* the last form is now that which was read; lead = side - at */
     k->lead = k->last;
@@ -438,6 +447,34 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     keep(k, k->lead);
     add_form(k, k->lead, -1, k->last);
     out->sided = true;
+    return WF_OK;
+}
+
+/* Solve and read where Newton's method alone leads to an equilibrium: that it is stable shows in the sweep at
+ * the other loads, which saves one. Returned: *done; where it is false, the last form is as before. */
+static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
+                                 const struct wf_track_start *start, struct wf_arena *a,
+                                 struct wf_tracked *out, bool *done, struct wf_err *e)
+{
+    struct wf_beam *b = &k->beam;
+    bool stable = false;
+    if (!keeps_mesh(k) && (k->solutions + 1) % CHECKED == 0) return WF_OK;
+    copy_form(k, k->before, k->last);
+    (void)put_start(k, l, start);
+    b->iterations = b->steps = 0;
+    b->loads = *l;
+    b->options = &k->follow;
+    if (wf_beam_newton(b) || wf_beam_apart(b)) return WF_OK;
+    keep(k, k->last);
+    enum wf_status s = read_both(k, side, false, &stable, a, out, e);
+    *done = !s && stable && out->sided;
+    if (!*done) {
+        copy_form(k, k->last, k->before);
+        out->finished = out->sided = false;
+        return s;
+    }
+    k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
+    k->solutions++;
     return WF_OK;
 }
 
@@ -450,17 +487,19 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     if (s) return s;
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
-    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), near));
-    s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);
+    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), near)), done = false;
+    if (on && side && !start->alone) s = solve_soon(k, l, side, start, a, out, &done, e);
+    if (s) return s;
+    if (!done) s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);
     out->at.load_factor = k->outcome.load_factor;
     if (s) return s;
     out->irregular = k->beam.loose > 0 || k->outcome.beyond_limit;
-    keep(k, k->last);
+    if (!done) keep(k, k->last);
     k->solved = true;
     k->speed = wind_of(l);
     if (!l->wind) keep(k, k->rest);
     k->rested = k->rested || !l->wind;
-    if (side) s = read_both(k, side, start->alone, a, out, e);
+    if (side && !done) s = read_both(k, side, start->alone, NULL, a, out, e);
     if (!out->sided && !(start->alone && out->finished)) wf_beam_read(&k->beam, &out->at);
     out->at.load_factor = k->outcome.load_factor;
     keep_station(k, out->sided);

@@ -9,6 +9,7 @@
 #include "grow/silhouette.h"
 #include "load/interception.h"
 #include "load/winter.h"
+#include "study/brace.h"
 #include "study/guy.h"
 #include "study/node.h"
 #include "study/removal.h"
@@ -128,6 +129,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s) s = wf_guys_onto(an, a, e);
+    if (!s) s = wf_braces_onto(an, a, e);
     if (!s) s = anchor(an, a, e);
     if (!s) s = diaphragms(an, e);
     if (s) return s;
@@ -187,6 +189,8 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
                        solver->name);
     if (sc->guys && !solver->ties)
         return wf_fail(e, WF_EUSAGE, "guys have no effect with the solver '%s'", solver->name);
+    if (sc->braces && !solver->ties)
+        return wf_fail(e, WF_EUSAGE, "cables and rods have no effect with the solver '%s'", solver->name);
     for (size_t k = 0; k < n; k++)
         if (!(speeds[k] >= 0.0 && speeds[k] <= 200.0))
             return wf_fail(e, WF_EUSAGE, "wind speed %.6g m/s is outside 0..200 m/s", speeds[k]);

@@ -87,6 +87,7 @@ struct wf_assessment {
     double reduction;     /* least share of the crown's height and width off that makes it safe enough [-];
                              INFINITY: none up to 60 %; NAN: not searched */
     double reduction_cut; /* share of its frontal area that is gone then [-] */
+    const struct wf_diag *record; /* what a test says by itself; NULL: there is none */
     enum wf_assess_word word;
     unsigned because; /* of WF_ASSESS_NO_OVERTURNING and so on */
     unsigned lost_by; /* all criteria that lose the tree in this wind: bits by their ids */

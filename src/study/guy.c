@@ -79,65 +79,22 @@ enum wf_status wf_guys_read(const char *text, double north, struct wf_arena *a, 
 
 /* ---- On the tree ---- */
 
-static size_t base_of(const struct wf_tree *t, size_t i)
-{
-    while (t->parent[i] >= 0) i = (size_t)t->parent[i];
-    return i;
-}
-
-/* The thickest row of the stem at a height above its base, and the place in it. Returned: t->n: none. */
-static size_t stem_at(const struct wf_tree *t, double height, double *place)
-{
-    size_t found = t->n;
-    double thickest = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        double rise = t->z1[i] - t->z0[i], share = (t->z0[base_of(t, i)] + height - t->z0[i]) / rise;
-        if (t->level[i] != 0 || !(rise > 0) || !(share > 0 && share <= 1)) continue;
-        double r = wf_between(t->r0[i], t->r1[i], share);
-        if (r > thickest) thickest = r, found = i, *place = share;
-    }
-    return found;
-}
-
-/* The tree with a row cut in two at a share of its length. */
-static enum wf_status cut_row(struct wf_tree *t, size_t row, double place, struct wf_arena *a,
-                              struct wf_err *e)
-{
-    struct wf_tree out;
-    enum wf_status s = wf_tree_alloc_like(t, t->n + 1, a, &out, e);
-    if (s) return s;
-    for (size_t i = 0; i < t->n; i++) {
-        size_t at = i + (i > row);
-        int32_t below = t->parent[i];
-        out.parent[at] = below < 0 ? -1 : below + (below >= (int32_t)row);
-        wf_tree_copy_part(t, i, 0, i == row ? place : 1, &out, at);
-        if (t->mass1) out.mass1[at] = i == row ? 0 : t->mass1[i];
-    }
-    out.parent[row + 1] = (int32_t)row;
-    wf_tree_copy_part(t, row, place, 1, &out, row + 1);
-    if (t->mass1) out.mass1[row + 1] = t->mass1[row];
-    *t = out;
-    return WF_OK;
-}
-
 /* Cut the tree at a height. Returned: *row, which ends there. */
 static enum wf_status cut_at(struct wf_analysis *an, double height, struct wf_arena *a, int32_t *row,
                              struct wf_err *e)
 {
-    const double near = 1e-3; /* [m] */
     double place = 0, lengthened = an->misread ? an->misread->height : 1;
-    size_t found = stem_at(&an->tree, lengthened * height, &place);
+    size_t found = wf_tree_stem_at(&an->tree, lengthened * height, &place);
     if (found == an->tree.n)
         return wf_fail(e, WF_EINPUT, "%s: --guy: the stem does not reach %.4g m", an->model->name, height);
     *row = (int32_t)found;
-    bool at_end = (1 - place) * wf_tree_length(&an->tree, found) <= near;
-    return at_end ? WF_OK : cut_row(&an->tree, found, place, a, e);
+    return wf_tree_cut(&an->tree, found, place, a, e);
 }
 
 static enum wf_status tie(const struct wf_tree *t, const struct wf_guy *g, struct wf_tie *out,
                           struct wf_err *e)
 {
-    size_t row = (size_t)out->segment, base = base_of(t, row);
+    size_t row = (size_t)out->segment, base = wf_tree_base(t, row);
     const double foot[3] = { t->x0[base], t->y0[base], t->z0[base] };
     const double away[3] = { g->distance * cos(g->azimuth), g->distance * sin(g->azimuth), 0 };
     const double end[3] = { t->x1[row], t->y1[row], t->z1[row] };

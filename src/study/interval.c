@@ -55,7 +55,7 @@ static void close_sample(struct solved *s)
 /* Grow the tree and let it stand and sway, with the factors of the sample. */
 static enum wf_status set_up(const struct work *w, const double *share, struct solved *s, struct wf_err *e)
 {
-    struct wf_diag unsaid = { .arena = &s->arena };
+    struct wf_diag unsaid = { .arena = &s->arena, .mute = true };
     struct wf_peak *peak;
     enum wf_status status = wf_variation_apply(w->v, w->an, share, &s->arena, &s->copy, e);
     if (status) return status;
@@ -376,7 +376,7 @@ static enum wf_status solve_all(struct work *w, struct wf_solve_options *o, size
     if (!s) {
         w->like = middle.nodes;
         out->middle = first->critical;
-        s = wf_parallel(n, threads, one, w, e);
+        s = wf_parallel_abreast(n, threads, one, w, e);
     }
     close_sample(&middle);
     wf_arena_free(&scratch);

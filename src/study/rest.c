@@ -8,6 +8,7 @@
 #include "grow/silhouette.h"
 #include "solve/firm.h"
 #include "solve/unload.h"
+#include "study/brace.h"
 #include "study/guy.h"
 #include "study/removal.h"
 #include <math.h>
@@ -42,7 +43,7 @@ static enum wf_status unload(struct wf_analysis *an, const struct wf_solve_optio
     struct wf_loads weight = an->loads;
     struct wf_tree free;
     double left, moved;
-    weight.wind = NULL, weight.ties = 0;
+    weight.wind = NULL, weight.ties = weight.links = 0;
     enum wf_status s = wf_unload(&an->tree, &weight, o, a, &free, &left, &moved, e);
     if (s) return s;
     an->tree = free;
@@ -79,6 +80,7 @@ static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct w
     same.tree = worn, same.misread = NULL;
     if (!s) s = wf_removal_onto(&same, &scratch, e);
     if (!s) s = wf_guys_onto(&same, &scratch, e);
+    if (!s) s = wf_braces_onto(&same, &scratch, e);
     if (!s) s = wf_tree_stand(&an->tree, &same.tree, a, e);
     wf_arena_free(&scratch);
     return s;
@@ -227,7 +229,7 @@ static enum wf_status find_still(struct wf_analysis *an, const struct wf_solve_o
     struct wf_tree then = an->tree;
     struct wf_still *still = WF_TAKE(a, 1, struct wf_still);
     if (!still) return wf_fail(e, WF_ENOMEM, "not enough memory for the state at rest");
-    weight.wind = NULL, weight.ties = 0;
+    weight.wind = NULL, weight.ties = weight.links = 0;
     if (then.standing) /* with what it carried on that day */
         then.burden0 = then.standing->burden0, then.burden1 = then.standing->burden1;
     enum wf_status s = an->solver->solve(&then, &weight, o, a, &still->response, &unsaid, e);

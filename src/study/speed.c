@@ -16,7 +16,7 @@
 
 /* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
 
-static const struct wf_steady unknown = { NAN, NAN, NAN, NAN, NAN };
+static const struct wf_steady unknown = { NAN, NAN, NAN, NAN, NAN, NAN };
 
 struct totals {
     double air[3]; /* force of the wind on the whole tree [N]       */
@@ -157,35 +157,47 @@ static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_load
 
 /* ---- One wind speed: wind -> load -> solve -> fail -> figures ---- */
 
-static void totals_fill(const struct wf_analysis *an, const struct totals *all, double tip_deflection,
-                        double tip_angle, struct wf_at_speed *out)
+/* Where the end of a row is in the bent shape. */
+static void end_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double place[3])
+{
+    const double drawn[3] = { t->x1[row], t->y1[row], t->z1[row] };
+    for (size_t k = 0; k < 3; k++) place[k] = drawn[k] + r->end[3 * row + k];
+}
+
+static void totals_fill(const struct wf_analysis *an, const struct totals *all, struct wf_at_speed *out)
 {
     const double *to = an->wind.direction, *force = out->response.base_force,
                  *moment = out->response.base_moment;
+    const size_t tip = wf_tip_row(&an->tree);
     double across = 0.0;
     out->drag = all->air[0] * to[0] + all->air[1] * to[1] + all->air[2] * to[2];
     for (int k = 0; k < 3; k++) across += pow(all->air[k] - out->drag * to[k], 2.0);
     out->lift = sqrt(across);
     out->weight = all->weight;
-    out->tip_deflection = tip_deflection;
+    out->tip_deflection = norm(out->response.end + 3 * tip);
+    out->top_deflection = norm(out->response.end + 3 * wf_top_row(&an->tree));
     out->tip_deflection_share = out->tip_deflection / an->tallness;
-    out->tip_angle = tip_angle;
+    out->tip_angle = wf_response_slope(&an->tree, &out->response, tip);
     out->base_shear = hypot(force[0], force[1]);
     out->base_moment = hypot(moment[0], moment[1]);
     for (size_t k = 0; k < an->loads.ties; k++) {
         const struct wf_tie *tie = &an->loads.tie[k];
-        const struct wf_tree *t = &an->tree;
-        const double *moved = out->response.end + 3 * (size_t)tie->segment;
-        double place[3] = { t->x1[tie->segment], t->y1[tie->segment], t->z1[tie->segment] }, pull[3];
-        v3_add(place, 1, moved);
+        double place[3], pull[3];
+        end_at(&an->tree, &out->response, (size_t)tie->segment, place);
         out->tie[k] = wf_tie_pull(tie, place, pull, NULL);
+    }
+    for (size_t k = 0; k < an->loads.links; k++) {
+        const struct wf_link *link = &an->loads.link[k];
+        double end[2][3], pull[3];
+        for (int i = 0; i < 2; i++) end_at(&an->tree, &out->response, (size_t)link->segment[i], end[i]);
+        out->link[k] = wf_link_pull(link, end[0], end[1], pull);
     }
 }
 
 static void totals_unknown(struct wf_at_speed *out)
 {
     out->drag = out->lift = out->weight = out->tip_deflection = out->tip_deflection_share = NAN;
-    out->tip_angle = out->base_shear = out->base_moment = NAN;
+    out->top_deflection = out->tip_angle = out->base_shear = out->base_moment = NAN;
     out->breakage.largest_stress = NAN;
     out->breakage.largest_stress_row = -1;
     wf_criteria_check(NULL, NULL, NULL, out->worst);
@@ -233,8 +245,7 @@ static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct w
     if (s) return s;
     s = fill_figures(&an->tree, l, &out->response, an->wind.direction,
                      an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
-    size_t tip = wf_tip_row(&an->tree);
-    if (!s) totals_fill(an, &totals, out->figures.deflection[tip], out->figures.slope[tip], out);
+    if (!s) totals_fill(an, &totals, out);
     return s;
 }
 
@@ -256,7 +267,6 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     const struct wf_tree *t = &an->tree;
     const struct wf_response *r = &out->response;
     struct totals totals = { 0 };
-    size_t tip = wf_tip_row(t);
     if (l->line) return fill_at_speed(an, l, like, a, out, e);
     enum wf_status s = fill_stresses(an, like, a, out, e);
     if (s) return s;
@@ -266,7 +276,7 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
         totals.air[2] += weight;
         totals.weight += weight + (t->mass1 ? t->mass1[i] * l->gravity * l->weight_scale : 0.0);
     }
-    totals_fill(an, &totals, norm(r->end + 3 * tip), wf_response_slope(t, r, tip), out);
+    totals_fill(an, &totals, out);
     return WF_OK;
 }
 
@@ -397,6 +407,8 @@ void wf_speed_take_branches(const struct wf_analysis *an, const struct wf_at_spe
         at->worst[c][WF_SCOPE_BRANCHES] = *branch;
         at->worst[c][WF_SCOPE_TREE] = branch->row < 0 || stem->safety <= branch->safety ? *stem : *branch;
     }
+    for (size_t k = 0; k < an->loads.links; k++)
+        if (fabs(branches->link[k]) > fabs(at->link[k])) at->link[k] = branches->link[k];
     if (at->breakage.n && branches->breakage.n)
         take_stresses(&an->tree, &branches->breakage, &at->breakage);
     else if (branches->breakage.largest_stress > at->breakage.largest_stress)
@@ -406,7 +418,8 @@ void wf_speed_take_branches(const struct wf_analysis *an, const struct wf_at_spe
 
 static struct wf_steady steady_of(const struct wf_at_speed *at)
 {
-    return (struct wf_steady){ at->drag, at->tip_deflection, at->tip_angle, at->base_shear, at->base_moment };
+    return (struct wf_steady){ at->drag,      at->tip_deflection, at->top_deflection,
+                               at->tip_angle, at->base_shear,     at->base_moment };
 }
 
 enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
