@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam.h"
 #include "base/vec3.h"
+#include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
 #include "solve/beam_mesh.h"
 #include "solve/beam_newton.h"
@@ -123,8 +124,8 @@ void wf_beam_read(const struct wf_beam *b, struct wf_response *r)
     for (size_t i = 0; i < t->n; i++) read_beam_row(b, i, first, r, force, moment);
     add_end_loads(b, first, force, moment);
     wf_beam_read_balance(&b->base, force, moment, r);
-    r->iterations = b->iterations;
-    r->steps = b->steps;
+    r->iterations = b->iterations, r->steps = b->steps;
+    wf_beam_links_read(b, r->link);
 }
 
 /* Memory of two meshes: of the newer, and of the shape of the one before, with which it is compared. */

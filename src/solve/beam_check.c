@@ -2,6 +2,7 @@
 #include "solve/beam_check.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
+#include "solve/beam_ends.h"
 #include <math.h>
 #include <string.h>
 
@@ -26,6 +27,7 @@ static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, doub
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
 {
     memcpy(fine->tilt, coarse->tilt, fine->mesh.tree->n * sizeof *fine->tilt);
+    wf_beam_links_carry(coarse, fine);
     for (size_t i = 0; i < fine->mesh.tree->n; i++) {
         int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
         for (int32_t k = 0; k < cut; k++) {
