@@ -8,7 +8,9 @@
 <xsl:template match="/report" mode="title">
   <xsl:call-template name="say"><xsl:with-param name="id">ex.title</xsl:with-param></xsl:call-template>
 </xsl:template>
-<xsl:template match="/report" mode="sub"><xsl:value-of select="$r/explained/item/name"/></xsl:template>
+<xsl:template match="/report" mode="sub">
+  <xsl:for-each select="$r/explained/item"><xsl:call-template name="run-words"/></xsl:for-each>
+</xsl:template>
 <xsl:template match="/report" mode="body">
   <div class="summary">
     <p><xsl:call-template name="say"><xsl:with-param name="id">ex.note</xsl:with-param></xsl:call-template></p>

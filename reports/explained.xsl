@@ -6,7 +6,9 @@
 <xsl:template name="method-heads">
   <xsl:param name="units">yes</xsl:param>
   <xsl:for-each select="methods/item">
-    <th class="r"><xsl:value-of select="name"/><xsl:if test="$units = 'yes'"><span class="u">&#160;</span></xsl:if></th>
+    <th class="r"><xsl:call-template name="key">
+      <xsl:with-param name="of">method</xsl:with-param><xsl:with-param name="key" select="name"/></xsl:call-template>
+      <xsl:if test="$units = 'yes'"><span class="u">&#160;</span></xsl:if></th>
   </xsl:for-each>
 </xsl:template>
 
@@ -110,7 +112,8 @@
 
 <xsl:template match="explained/item" mode="section">
   <xsl:call-template name="h2">
-    <xsl:with-param name="id">ex.heading</xsl:with-param><xsl:with-param name="a" select="name"/>
+    <xsl:with-param name="id">ex.heading</xsl:with-param>
+    <xsl:with-param name="a"><xsl:call-template name="run-words"/></xsl:with-param>
   </xsl:call-template>
   <p>
     <xsl:call-template name="say">

@@ -7,7 +7,9 @@
 <xsl:template match="/report" mode="title">
   <xsl:call-template name="say"><xsl:with-param name="id">xt.title</xsl:with-param></xsl:call-template>
 </xsl:template>
-<xsl:template match="/report" mode="sub"><xsl:value-of select="$r/source"/></xsl:template>
+<xsl:template match="/report" mode="sub">
+  <xsl:call-template name="base-name"><xsl:with-param name="path" select="$r/source"/></xsl:call-template>
+</xsl:template>
 
 <xsl:template name="ex-levels">
   <table class="data">

@@ -622,6 +622,8 @@
             <xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
           <xsl:call-template name="live-row"><xsl:with-param name="key">tip</xsl:with-param>
             <xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">top</xsl:with-param>
+            <xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
           <xsl:call-template name="live-row"><xsl:with-param name="key">moment</xsl:with-param>
             <xsl:with-param name="unit">kN m</xsl:with-param></xsl:call-template>
           <xsl:call-template name="live-row"><xsl:with-param name="key">breakage</xsl:with-param></xsl:call-template>

@@ -22,7 +22,7 @@
   }
   /* a number of the results in the units of the page, and what they are called */
   function unit(name) { return data.units[name] || [1, name]; }
-  var measured = { speed: 'm/s', gust: 'm/s', tip: 'm', moment: 'kN m', 'a-lost': 'm/s', 'a-moment': 'kN m' };
+  var measured = { speed: 'm/s', gust: 'm/s', tip: 'm', top: 'm', moment: 'kN m', 'a-lost': 'm/s', 'a-moment': 'kN m' };
   function shown(key, x) { return measured[key] && x !== null && x !== undefined ? unit(measured[key])[0] * x : x; }
   function wind(w) { return number(shown('speed', w ? w.speed : 0)) + ' ' + unit('m/s')[1]; }
   Object.keys(measured).forEach(function (key) {
@@ -72,7 +72,7 @@
     put(svg, 'path', { d: path(w ? w.axes : tree.still), fill: 'none', stroke: lost ? '#D55E00' : '#0072B2',
       'stroke-width': 2 * thin, 'stroke-linejoin': 'round', 'class': 'bent' });
     svg.setAttribute('aria-label', wind(w));
-    ['speed', 'gust', 'tip', 'moment', 'breakage', 'safety'].forEach(function (key) {
+    ['speed', 'gust', 'tip', 'top', 'moment', 'breakage', 'safety'].forEach(function (key) {
       box.querySelector('[data-key=' + key + ']').textContent = w ? number(shown(key, w[key])) : key === 'breakage' || key === 'safety' ? '–' : '0';
     });
     box.querySelector('.beyond').hidden = !lost;

@@ -413,4 +413,29 @@
     </body>
   </html>
 </xsl:template>
+
+<!-- A key of the results (a method, a wind model, a preset) in words; one without words stands for itself. -->
+<xsl:template name="key">
+  <xsl:param name="of"/><xsl:param name="key"/>
+  <xsl:call-template name="term">
+    <xsl:with-param name="id" select="concat($of, '.', $key)"/><xsl:with-param name="otherwise" select="$key"/>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- The species of a run; a run's name, where it begins with the species' key that instead. -->
+<xsl:template name="run-tree">
+  <xsl:choose>
+    <xsl:when test="$lang = 'zh' and species_zh != ''"><xsl:value-of select="species_zh"/></xsl:when>
+    <xsl:when test="species_name != ''"><xsl:value-of select="species_name"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="species"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+<xsl:template name="run-words">
+  <xsl:choose>
+    <xsl:when test="species != '' and (name = species or starts-with(name, concat(species, ',')))">
+      <xsl:call-template name="run-tree"/><xsl:value-of select="substring-after(name, species)"/>
+    </xsl:when>
+    <xsl:otherwise><xsl:value-of select="name"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
 </xsl:stylesheet>

@@ -245,26 +245,11 @@
       <xsl:for-each select="$r/prisms/item">
         <tr>
           <xsl:call-template name="count"><xsl:with-param name="x" select="prisms"/></xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="tip_percent"/>
-            <xsl:with-param name="pattern">0.000</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="twist_percent"/>
-            <xsl:with-param name="pattern">0.000</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="frequency_percent"/>
-            <xsl:with-param name="pattern">0.000</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="with_restoring"/>
-            <xsl:with-param name="pattern">0.000</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="frequency_with_restoring"/>
-            <xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="tip_percent"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="twist_percent"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="frequency_percent"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="with_restoring"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="frequency_with_restoring"/></xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>
@@ -288,18 +273,9 @@
                 concat(name(), ' ')))" data-type="number"/>
             <xsl:call-template name="count"><xsl:with-param name="x" select="."/></xsl:call-template>
           </xsl:for-each>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="paper"/>
-            <xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="steps"/>
-            <xsl:with-param name="pattern">0</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="steps div paper"/>
-            <xsl:with-param name="pattern">0</xsl:with-param>
-          </xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="paper"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="steps"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="steps div paper"/></xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>

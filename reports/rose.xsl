@@ -12,19 +12,11 @@
 </xsl:template>
 
 <xsl:template name="hours-row">
-  <xsl:call-template name="cell">
-    <xsl:with-param name="x" select="frequency"/><xsl:with-param name="pattern">0.0000</xsl:with-param>
-  </xsl:call-template>
-  <xsl:call-template name="cell">
-    <xsl:with-param name="x" select="mean_m_s"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-  </xsl:call-template>
-  <xsl:call-template name="cell">
-    <xsl:with-param name="x" select="shape"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-  </xsl:call-template>
+  <xsl:call-template name="n"><xsl:with-param name="x" select="frequency"/></xsl:call-template>
+  <xsl:call-template name="n"><xsl:with-param name="x" select="mean_m_s"/></xsl:call-template>
+  <xsl:call-template name="n"><xsl:with-param name="x" select="shape"/></xsl:call-template>
   <xsl:for-each select="hours_a_year_above/item">
-    <xsl:call-template name="cell">
-      <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">#,##0.0</xsl:with-param>
-    </xsl:call-template>
+    <xsl:call-template name="n"><xsl:with-param name="x" select="."/></xsl:call-template>
   </xsl:for-each>
 </xsl:template>
 
@@ -154,9 +146,7 @@
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="scale_error_m_s"/><xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="shape"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="shape"/></xsl:call-template>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="shape_error"/><xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>

@@ -25,13 +25,23 @@
   </xsl:call-template>
 </xsl:template>
 
-<xsl:template name="run-name"><xsl:value-of select="concat(count(preceding-sibling::item) + 1, '. ', name)"/></xsl:template>
+<xsl:template name="run-name">
+  <xsl:value-of select="concat(count(preceding-sibling::item) + 1, '. ')"/><xsl:call-template name="run-words"/>
+</xsl:template>
 
-<!-- "corrected; beam; steady wind; shelter wake; profile uniform" -->
+<!-- "corrected; exact beams; steady wind; shelter: wakes; power law" -->
 <xsl:template name="method-words">
-  <xsl:value-of select="concat(preset, '; ', solver, '; ')"/>
+  <xsl:call-template name="key"><xsl:with-param name="of">preset</xsl:with-param><xsl:with-param name="key" select="preset"/>
+  </xsl:call-template>
+  <xsl:text>; </xsl:text>
+  <xsl:call-template name="key"><xsl:with-param name="of">method</xsl:with-param><xsl:with-param name="key" select="solver"/>
+  </xsl:call-template>
+  <xsl:text>; </xsl:text>
   <xsl:choose>
-    <xsl:when test="gust != ''"><xsl:value-of select="gust"/></xsl:when>
+    <xsl:when test="gust != ''">
+      <xsl:call-template name="key"><xsl:with-param name="of">gust</xsl:with-param><xsl:with-param name="key" select="gust"/>
+      </xsl:call-template>
+    </xsl:when>
     <xsl:otherwise>
       <xsl:call-template name="say"><xsl:with-param name="id">sr.steady</xsl:with-param></xsl:call-template>
     </xsl:otherwise>
@@ -39,20 +49,12 @@
   <xsl:if test="components = 3">, <xsl:call-template name="say"><xsl:with-param name="id">sr.components</xsl:with-param>
     </xsl:call-template></xsl:if>
   <xsl:if test="shelter != ''">; <xsl:call-template name="say"><xsl:with-param name="id">sr.shelter</xsl:with-param>
-    <xsl:with-param name="a" select="shelter"/></xsl:call-template></xsl:if>
+    <xsl:with-param name="a"><xsl:call-template name="key">
+      <xsl:with-param name="of">law</xsl:with-param><xsl:with-param name="key" select="shelter"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template></xsl:if>
   <xsl:text>; </xsl:text>
-  <xsl:call-template name="say">
-    <xsl:with-param name="id">sr.profile</xsl:with-param><xsl:with-param name="a" select="profile"/>
+  <xsl:call-template name="key"><xsl:with-param name="of">m.profile</xsl:with-param><xsl:with-param name="key" select="profile"/>
   </xsl:call-template>
-</xsl:template>
-
-<!-- The tree of a run, by the name of its species. -->
-<xsl:template name="run-tree">
-  <xsl:choose>
-    <xsl:when test="$lang = 'zh' and species_zh != ''"><xsl:value-of select="species_zh"/></xsl:when>
-    <xsl:when test="species_name != ''"><xsl:value-of select="species_name"/></xsl:when>
-    <xsl:otherwise><xsl:value-of select="species"/></xsl:otherwise>
-  </xsl:choose>
 </xsl:template>
 
 <xsl:template name="runs">
@@ -140,7 +142,8 @@
       <xsl:variable name="number" select="count(preceding-sibling::item) + 1"/>
       <xsl:call-template name="figure">
         <xsl:with-param name="name" select="concat('frames_', $number)"/><xsl:with-param name="id">cap.frames</xsl:with-param>
-        <xsl:with-param name="a" select="$number"/><xsl:with-param name="b" select="name"/>
+        <xsl:with-param name="a" select="$number"/>
+        <xsl:with-param name="b"><xsl:call-template name="run-words"/></xsl:with-param>
       </xsl:call-template>
     </xsl:for-each>
   </xsl:if>

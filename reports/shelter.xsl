@@ -28,7 +28,7 @@
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">sh.law</xsl:with-param>
-      <xsl:with-param name="text" select="concat($r/law/name, ': ', $r/law/title)"/>
+      <xsl:with-param name="text" select="concat($r/law/title, ' (', $r/law/name, ')')"/>
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.source</xsl:with-param><xsl:with-param name="text" select="string($r/law/source)"/>

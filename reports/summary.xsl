@@ -143,8 +143,10 @@
   </xsl:if>
 </xsl:template>
 
-<!-- How far the tip moves: at every wind speed up to three, else the first, the middle and the last. -->
+<!-- How far the tip moves, and the top of a crown that reaches above the stem: at every wind speed up to three, else the first, the
+     middle and the last. -->
 <xsl:template name="tips">
+  <xsl:variable name="top" select="top[level &gt; 0]"/>
   <xsl:variable name="solved" select="winds/item[status = 'ok' and within_limits = 'true']"/>
   <xsl:for-each select="$solved[count($solved) &lt; 4 or position() = 1 or position() = ceiling(count($solved) div 2) or
     position() = last()]">
@@ -172,6 +174,18 @@
         </xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
+    <xsl:if test="$top">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">sum.top<xsl:if test="position() &gt; 1">.too</xsl:if></xsl:with-param>
+        <xsl:with-param name="a"><xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/top_deflection |
+          self::*[not(mean_state)]/top_deflection)/value"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="b" select="format-number($top/height/value, '0.0')"/>
+        <xsl:with-param name="c">
+          <xsl:call-template name="part"><xsl:with-param name="level" select="$top/part"/></xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:if>
   </xsl:for-each>
 </xsl:template>
 

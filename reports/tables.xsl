@@ -6,6 +6,9 @@
 <!-- Is the load that of gusts, and not of the mean wind alone? -->
 <xsl:variable name="gusts" select="$trees/method/peak_method[name != 'mean']"/>
 
+<!-- Does the crown of a tree reach above its stem? -->
+<xsl:variable name="tops" select="$trees/top[level &gt; 0]"/>
+
 <!-- Cells of one tree at one wind speed: those of its state in the mean wind, then those at the peak of the load. A
      quantity without a value gives a dash, a speed without answer says so. -->
 <xsl:template name="result-cells">
@@ -15,6 +18,12 @@
         <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/tip_deflection |
           self::*[not(mean_state)]/tip_deflection)/value"/></xsl:call-template>
       </td>
+      <xsl:if test="$tops">
+        <td class="r">
+          <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/top_deflection |
+            self::*[not(mean_state)]/top_deflection)/value"/></xsl:call-template>
+        </td>
+      </xsl:if>
       <xsl:call-template name="steady-cell">
         <xsl:with-param name="x" select="100 * (mean_state/tip_deflection_share | self::*[not(mean_state)]/tip_deflection_share)/value"/>
       </xsl:call-template>
@@ -48,7 +57,7 @@
     </xsl:when>
     <xsl:otherwise>
       <td class="weak">
-        <xsl:attribute name="colspan"><xsl:value-of select="9 + boolean($gusts)"/></xsl:attribute>
+        <xsl:attribute name="colspan"><xsl:value-of select="9 + boolean($gusts) + boolean($tops)"/></xsl:attribute>
         <xsl:call-template name="say">
           <xsl:with-param name="id">no-answer</xsl:with-param>
           <xsl:with-param name="a">
@@ -71,6 +80,10 @@
             <xsl:text>t.results</xsl:text><xsl:if test="$gusts">.gusts</xsl:if>
           </xsl:with-param>
         </xsl:call-template>
+        <xsl:if test="$tops">
+          <xsl:value-of select="$gap"/>
+          <xsl:call-template name="say"><xsl:with-param name="id">t.tops</xsl:with-param></xsl:call-template>
+        </xsl:if>
         <xsl:if test="$trees/winds/item/within_limits = 'false'">
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template>
@@ -94,6 +107,11 @@
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.deflection</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
+        <xsl:if test="$tops">
+          <xsl:call-template name="head">
+            <xsl:with-param name="id">c.top</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
+          </xsl:call-template>
+        </xsl:if>
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.share</xsl:with-param><xsl:with-param name="unit">%</xsl:with-param>
         </xsl:call-template>

@@ -21,14 +21,12 @@
 </xsl:template>
 
 <xsl:template name="range-row">
-  <xsl:param name="id"/><xsl:param name="of"/><xsl:param name="unit">–</xsl:param><xsl:param name="pattern">0.00</xsl:param>
+  <xsl:param name="id"/><xsl:param name="of"/><xsl:param name="unit"/>
   <tr>
-    <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></td>
-    <td><xsl:value-of select="$unit"/></td>
+    <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+      <xsl:if test="$unit != ''"><xsl:value-of select="concat(', ', $unit)"/></xsl:if></td>
     <xsl:for-each select="$of/low | $of/mean | $of/high">
-      <xsl:call-template name="cell">
-        <xsl:with-param name="x" select="."/><xsl:with-param name="pattern" select="$pattern"/>
-      </xsl:call-template>
+      <xsl:call-template name="n"><xsl:with-param name="x" select="."/></xsl:call-template>
     </xsl:for-each>
   </tr>
 </xsl:template>
@@ -53,7 +51,7 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">in.quantity;in.unit;c.lowest:;c.mean:;c.highest:</xsl:with-param>
+          <xsl:with-param name="of">in.quantity;c.lowest:;c.mean:;c.highest:</xsl:with-param>
           <xsl:with-param name="units">no</xsl:with-param>
         </xsl:call-template>
       </tr>
@@ -61,7 +59,7 @@
     <tbody>
       <xsl:call-template name="range-row">
         <xsl:with-param name="id">tr.height</xsl:with-param><xsl:with-param name="of" select="$r/height_m"/>
-        <xsl:with-param name="unit">m</xsl:with-param><xsl:with-param name="pattern">0.0</xsl:with-param>
+        <xsl:with-param name="unit">m</xsl:with-param>
       </xsl:call-template>
       <xsl:call-template name="range-row">
         <xsl:with-param name="id">tr.topex</xsl:with-param><xsl:with-param name="of" select="$r/topex_deg"/>

@@ -6,7 +6,10 @@
 
 <xsl:template match="/report" mode="title">
   <xsl:call-template name="say">
-    <xsl:with-param name="id">wd.title</xsl:with-param><xsl:with-param name="a" select="$r/model/name"/>
+    <xsl:with-param name="id">wd.title</xsl:with-param>
+    <xsl:with-param name="a"><xsl:call-template name="key">
+      <xsl:with-param name="of">gust</xsl:with-param><xsl:with-param name="key" select="$r/model/name"/></xsl:call-template>
+    </xsl:with-param>
   </xsl:call-template>
 </xsl:template>
 <xsl:template match="/report" mode="sub">
@@ -60,7 +63,7 @@
 
 <!-- One row a property, one column a component. along="yes": it says something of the wind along its mean only. -->
 <xsl:template name="property">
-  <xsl:param name="key"/><xsl:param name="unit">–</xsl:param><xsl:param name="along"/>
+  <xsl:param name="key"/><xsl:param name="unit"/><xsl:param name="along"/>
   <tr>
     <td>
       <xsl:call-template name="say">
@@ -77,8 +80,8 @@
         </xsl:with-param>
         <xsl:with-param name="c" select="$r/statistics/item[1]/gust_periods"/>
       </xsl:call-template>
+      <xsl:if test="$unit != ''"><xsl:value-of select="concat(', ', $unit)"/></xsl:if>
     </td>
-    <td><xsl:value-of select="$unit"/></td>
     <xsl:for-each select="$r/statistics/item">
       <xsl:variable name="meant" select="not($along) or position() = 1"/>
       <xsl:call-template name="n"><xsl:with-param name="x" select="*[name() = $key][$meant]"/></xsl:call-template>
@@ -92,7 +95,7 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.property;in.unit</xsl:with-param><xsl:with-param name="units">no</xsl:with-param>
+          <xsl:with-param name="of">c.property</xsl:with-param><xsl:with-param name="units">no</xsl:with-param>
         </xsl:call-template>
         <xsl:for-each select="$r/statistics/item">
           <th class="r">
@@ -144,7 +147,7 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.property;in.unit;c.asked:;c.got:;c.off:%;c.scatter:%;c.verdict</xsl:with-param>
+          <xsl:with-param name="of">c.property;c.asked:;c.got:;c.off:%;c.scatter:%;c.verdict</xsl:with-param>
         </xsl:call-template>
       </tr>
     </thead>
@@ -155,16 +158,13 @@
             <xsl:call-template name="term">
               <xsl:with-param name="id" select="concat('finding.', name)"/><xsl:with-param name="otherwise" select="name"/>
             </xsl:call-template>
+            <xsl:if test="unit != '-'"><xsl:value-of select="concat(', ', unit)"/></xsl:if>
           </td>
-          <td><xsl:value-of select="translate(unit, '-', '–')"/></td>
           <xsl:call-template name="n"><xsl:with-param name="x" select="asked"/></xsl:call-template>
           <xsl:call-template name="n"><xsl:with-param name="x" select="got"/></xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="100 * (got div asked - 1)"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
+          <xsl:call-template name="n"><xsl:with-param name="x" select="100 * (got div asked - 1)"/></xsl:call-template>
+          <xsl:call-template name="n">
             <xsl:with-param name="x" select="100 * scatter div (asked * (1 - 2 * (asked &lt; 0)))"/>
-            <xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>
           <td>
             <xsl:call-template name="say"><xsl:with-param name="id" select="concat('wd.within.', within)"/></xsl:call-template>
@@ -180,7 +180,8 @@
   <table class="block">
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">wd.model</xsl:with-param>
-      <xsl:with-param name="text" select="concat($r/model/name, ': ', $r/model/title)"/>
+      <xsl:with-param name="text">
+        <xsl:value-of select="$r/model/title"/> (<code><xsl:value-of select="$r/model/name"/></code>)</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.source</xsl:with-param><xsl:with-param name="text" select="string($r/model/source)"/>
@@ -232,7 +233,10 @@
       <tbody>
         <xsl:for-each select="$r/model/parameters/item">
           <tr>
-            <td><code><xsl:value-of select="name"/></code></td>
+            <td>
+              <xsl:call-template name="key">
+                <xsl:with-param name="of">par</xsl:with-param><xsl:with-param name="key" select="name"/>
+              </xsl:call-template> (<code><xsl:value-of select="name"/></code>)</td>
             <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="value"/></xsl:call-template></td>
             <td><xsl:value-of select="translate(unit, '-', '–')"/></td><td><xsl:value-of select="meaning"/></td>
           </tr>

@@ -5,7 +5,7 @@
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 <xsl:variable name="lang" select="/report/@lang"/>
 <xsl:variable name="strings" select="document('strings.xml')/strings"/>
-<xsl:key name="string" match="s|q|w" use="@id | @was"/>
+<xsl:key name="string" match="s|q|w|k" use="@id | @was"/>
 <xsl:variable name="gap">
   <xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template>
 </xsl:variable>
@@ -98,11 +98,12 @@
   <xsl:variable name="size" select="($x &lt; 0) * -$x + ($x &gt;= 0) * $x"/>
   <xsl:variable name="ten" select="1 + 9 * ($size &gt;= 999.5) + 90 * ($size &gt;= 9995) + 900 * ($size &gt;= 99950) +
     9000 * ($size &gt;= 999500)"/>
-  <xsl:variable name="tiny" select="$x &gt; 0 and $x &lt; 0.00005"/>
-  <xsl:if test="$tiny">&lt; </xsl:if>
+  <xsl:variable name="tiny" select="$size &gt; 0 and $size &lt; 0.00005"/>
+  <xsl:if test="$tiny and $x &gt; 0">&lt; </xsl:if><xsl:if test="$tiny and $x &lt; 0">&gt; </xsl:if>
   <xsl:call-template name="fixed">
     <xsl:with-param name="x">
       <xsl:choose>
+        <xsl:when test="$tiny and $x &lt; 0">-0.0001</xsl:when>
         <xsl:when test="$tiny">0.0001</xsl:when>
         <xsl:when test="$ten &gt; 1"><xsl:value-of select="$ten * round($x div $ten)"/></xsl:when>
         <xsl:otherwise><xsl:value-of select="$x"/></xsl:otherwise>

@@ -179,6 +179,7 @@ for k, tree in enumerate(results['trees']):
         browser.key('ArrowRight', 39)
         near('speed', read('speed'), row['wind_m_s'])
         near('tip', read('tip'), row['mean_tip_deflection_m'] or row['tip_deflection_m'])
+        near('top', read('top'), row['mean_top_deflection_m'] or row['top_deflection_m'])
         near('moment', read('moment'), float(row['base_moment_Nm']) / 1e3)
         near('breakage', read('breakage'), row['least_safety'])
         near('safety', read('safety'), row['tree_safety'])

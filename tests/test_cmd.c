@@ -335,6 +335,34 @@ static void test_output(void **state)
     assert_string_equal(output, "");
 }
 
+/* The crown's top is the highest point of tables/shape.csv, and moves as far as it does there; the page names it where a branch reaches
+ * above the stem, and not where none does. $1: columns 1 tree, 3 wind, 8 z, 11 loaded z. */
+#define MOVED                                                                                                \
+    "awk -F, 'FNR == 1 { n++; for (i = 1; i <= NF; i++) c[n, $i] = i; next } "                               \
+    "n == 1 && (!($3 in z) || $8 > z[$3]) { z[$3] = $8; m[$3] = sqrt(($9-$6)^2 + ($10-$7)^2 + ($11-$8)^2) } " \
+    "n == 2 && (a = $c[2, \"top_deflection_m\"] / m[$3] - 1)^2 < 1e-14 && $c[2, \"top_height_m\"] == z[$3] "  \
+    "{ same++; more += a = $c[2, \"top_deflection_m\"] > 1.001 * $c[2, \"tip_deflection_m\"] } "              \
+    "END { print same + 0, \"same,\", more + 0, \"more than the tip\" }' "                                   \
+    "$T/out/tables/shape.csv $T/out/tables/summary.csv; "
+
+static void test_top(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze scots_pine --model scots_pine --soil mineral --wind 8,16 --samples 0 --no-pdf -o $T/out "
+          "2>$T/said; " MOVED "grep -c -e 'The top of its crown, 17.0 m high on a' $T/out/report.html",
+          CODE_OK,
+          { "the crown's top, 17.01 m high on a", "2 same, 2 more than the tip", "\n1\n" } },
+        { "$W analyze oak $M --wind 10 --samples 0 --no-pdf -o $T/out 2>$T/said; " MOVED
+          "grep -c -e 'top of its crown' -e 'Crown’s top' $T/out/report.html",
+          CODE_RUN,
+          { "1 same, 0 more than the tip\n0\n" } },
+    };
+    CHECK(rows);
+    assert_int_equal(shell("$W analyze oak $M --wind 10 --samples 0 --no-pdf -o $T/out"), CODE_OK);
+    assert_null(strstr(output, "crown's top"));
+}
+
 static void test_library(void **state)
 {
     (void)state;
@@ -355,6 +383,7 @@ int main(void)
         cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),          cmocka_unit_test(test_bad_files),
         cmocka_unit_test(test_output), cmocka_unit_test(test_library),       cmocka_unit_test(test_study),
         cmocka_unit_test(test_counts), cmocka_unit_test(test_recorded_line), cmocka_unit_test(test_series),
+        cmocka_unit_test(test_top),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

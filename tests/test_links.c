@@ -341,7 +341,7 @@ static void tangent(void **state)
             wf_beam_rest(&step.mesh, step.loads.gravity * (1 + more));
             wf_beam_sweep_up(&step);
             step.misfit = b.misfit;
-            assert_true(wf_beam_step(&step));
+            assert_true(wf_beam_step(&step, NULL));
             struct wf_beam_pose *now = WF_TAKE(&c.arena, b.mesh.n, struct wf_beam_pose);
             memcpy(now, step.pose, b.mesh.n * sizeof *now);
             rests = wf_beam_rests(&step);

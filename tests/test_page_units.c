@@ -35,11 +35,11 @@ static void numbers_are_turned_with_their_units(void **state)
           "cm.",
           "a girth of 98.4\xc2\xa0"
           "in." },
-        { "60 m/\xe2\x81\xa0s (3-s gust 91.4 m/s)", "134 mph (3-s gust 204.5 mph)" },
+        { "60 m/\xe2\x81\xa0s (3-s gust 91.4 m/s)", "134 mph (3-s gust 204 mph)" },
         { "416.7 kN m on the ground", "307.3 kip·ft on the ground" },
         { "32.9 kN m/m3 x d^2", "0.687 kip/ft2 x d^2" },
         { "1,133 kg, 12.0 MPa and 8.3 GPa", "2,498 lb, 1,740 psi and 1,200 ksi" },
-        { "id 2, order 0, 812 mm thick", "id 2, order 0, 31.97 in thick" },
+        { "id 2, order 0, 812 mm thick", "id 2, order 0, 32.0 in thick" },
         { "13 to 35 m/s", "29 to 78 mph" },
         { "mostly 4-20 m/s", "mostly 9-45 mph" },
         { "between 15 and 41 m/s", "between 34 and 92 mph" },
@@ -174,9 +174,51 @@ static void a_page_in_other_units(void **state)
     CHECK(rows);
 }
 
+/* A run in metric and in imperial units: its figures are the same, with other numbers at the axes. */
+#define BOTH(command)                                                                                        \
+    "for u in metric imperial; do $W " command " --units $u --no-pdf -q -o $T/$u >/dev/null 2>&1; done; "    \
+    "python3 tests/figure_units.py $T/imperial labels; python3 tests/figure_units.py $T/metric $T/imperial "
+
+static void figures_of_every_kind(void **state)
+{
+    (void)state;
+    if (shell("command -v gnuplot")) skip();
+    static const struct row rows[] = {
+        { BOTH("series oak --model culm --wind 8 --duration 4 --step 0.5 --gust cosine --no-vtk --keys 2")
+          "same frames_1; grep -c '18.1 mph' $T/imperial/plots/frames_1.svg",
+          CODE_OK,
+          { "labels looked at\nframes_1: same lines, other numbers\n1\n" } },
+        { BOTH("modes oak --model culm --wind 10") "same modes_1",
+          CODE_OK,
+          { "labels looked at\nmodes_1: same lines, other numbers\n" } },
+        { BOTH("wind extremes --annual docs/examples/annual.csv --wind 20") "factor extremes",
+          CODE_OK,
+          { "labels looked at\nextremes: times 2.24\n" } },
+        { BOTH("rain --staged --duration 2") "same rain_scene_1; python3 tests/figure_units.py $T/metric "
+                                             "$T/imperial factor rain_ring_1",
+          CODE_OK,
+          { "labels looked at\nrain_scene_1: same lines, other numbers\nrain_ring_1: times 0.039" } },
+        { BOTH("terrain --size 4 --relief 20") "factor", CODE_OK, { "labels looked at\n" } },
+        { BOTH("wind kaimal --duration 60 --points 3") "factor", CODE_OK, { "labels looked at\n" } },
+        { BOTH("fit models/field/sample_pull.yaml --no-rival") "factor", CODE_OK, { "labels looked at\n" } },
+        { BOTH("shelter --model scots_pine --species scots_pine --slabs 4 --cells 16") "factor",
+          CODE_OK,
+          { "labels looked at\n" } },
+        /* drawn again in metric units, nothing is left of the others */
+        { "$W wind extremes --annual docs/examples/annual.csv --units imperial --lang zh --no-pdf -q -o $T/a "
+          ">/dev/null 2>&1; $W report $T/a --no-pdf >/dev/null; $W wind extremes --annual "
+          "docs/examples/annual.csv --no-pdf -q -o $T/b >/dev/null 2>&1; cmp $T/a/plots/extremes.svg "
+          "$T/b/plots/extremes.svg && cmp $T/a/plots/run.csv $T/b/plots/run.csv && echo same",
+          CODE_OK,
+          { "same\n" } },
+    };
+    CHECK(rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(figures_of_every_kind),
         cmocka_unit_test(numbers_are_turned_with_their_units),
         cmocka_unit_test(what_is_not_sure_stays),
         cmocka_unit_test(other_systems),

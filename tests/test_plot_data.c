@@ -93,7 +93,7 @@ static void strange_texts_and_numbers_come_back(void **state)
         if (fabs(x - numbers[i]) > 1e-14 * fabs(numbers[i])) fail_msg("want %g but: %s", numbers[i], at);
         at = end + 1;
     }
-    assert_string_equal(at, "NaN   NaN <two lines> time (s) no such\n160 \xe2\x80\xa6 3 "
+    assert_string_equal(at, "NaN   NaN <two lines> time [s] no such\n160 \xe2\x80\xa6 3 "
                             "]]\xe2\x81\xa0> &\xe2\x81\xa0#x41; \xef\xbf\xbd\n");
     assert_int_not_equal(access("windfirm-was-here", F_OK), 0);
 }

@@ -147,9 +147,36 @@ static void pages(void **state)
     CHECK(rows);
 }
 
+/* Names of runs, methods and parameters have words, in figures too, and no title is cut; drawn again in English they are English. */
+static void names_in_figures(void **state)
+{
+    (void)state;
+    if (shell("command -v gnuplot")) skip();
+    static const struct row rows[] = {
+        { "$W papers tang2012 --no-vtk --no-pdf -q --lang zh -o $T/out >/dev/null 2>&1; cd $T/out; cat "
+          "plots/frames_*.svg plots/series.svg plots/explain_1.svg >all; for t in '图 6：10 GPa，10 m/s' "
+          "'照印，40 段' '阵风，枝与叶' '悬臂梁链（照印）'; do grep -c \"$t\" all; done; grep -c -e '…' -e "
+          "'chain' -e 'gusts' all; grep -o '<th[^>]*>逐段挠度（照印）' series.html | head -1",
+          CODE_OK,
+          { "1\n1\n1\n1\n0\n<th class=\"r\">" } },
+        { "$W papers tang2012 --no-vtk --no-pdf -q --lang zh -o $T/out >/dev/null 2>&1; $W report $T/out "
+          "--no-pdf >/dev/null; grep -c 'SAID.NAME' $T/out/plots/run.csv; cat $T/out/plots/*.svg | grep -c "
+          "-e 'Fig. 6: 10 GPa, 10 m/s' -e 'printed, 40 segments' -e 'chain, as printed' -e 'gusts, branches "
+          "and leaves'",
+          CODE_OK,
+          { "0\n5\n" } },
+        { "$W wind kaimal --duration 30 --points 2 --no-pdf -q --lang zh -o $T/out >/dev/null 2>&1; grep -o "
+          "'顺风相干衰减 (<code>decay-along' $T/out/wind.html; grep -c 'Kaimal 谱' $T/out/plots/wind.svg",
+          CODE_OK,
+          { "顺风相干衰减 (<code>decay-along\n1\n" } },
+    };
+    CHECK(rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(names_in_figures),
         cmocka_unit_test(parts_are_what_printf_prints),
         cmocka_unit_test(findings_keep_their_parts),
         cmocka_unit_test(sentences),

@@ -25,7 +25,7 @@ stats AROUND using (known(column(COLUMN[2]))) name 'C' nooutput
 stats AROUND using (known(column(COLUMN[3]))) name 'S' nooutput
 array TOP[2] = [M_max > 0 ? PER[MOMENT]*M_max : 1, C_max > 0 ? PER[SPEED]*C_max : 1]
 if (trees == 1 && PER[SPEED]*S_max > TOP[2]) { TOP[2] = PER[SPEED]*S_max }
-array TITLE[2] = [sprintf(in_units(L('AROUND_MOMENT')), said(SPEED, number('WIND_LAST', 0))), in_units(L('AROUND_CRITICAL'))]
+array TITLE[2] = [sprintf(L('AROUND_MOMENT'), said(SPEED, number('WIND_LAST', 0)).' '.UNIT[SPEED]), L('AROUND_CRITICAL')]
 array SCALE[3] = [1e-3*PER[MOMENT], PER[SPEED], PER[SPEED]]
 stats AROUND using (at(1, U) ? 1 : NaN) name 'N' nooutput
 COUNT = int(N_records)

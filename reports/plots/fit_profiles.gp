@@ -6,11 +6,11 @@ LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
 # a parameter in words, behind it its unit: "root.stiffness (kN m/rad)"
-parameter(text) = (FIT_U = strstrt(text, ' ('), FIT_N = FIT_U ? text[1:FIT_U - 1] : text, FIT_W = L(FIT_N), \
-    FIT_W eq FIT_N ? short(text, SPAN + 60) : FIT_W.(FIT_U ? text[FIT_U:] : ''))
+unit_in(text) = (FIT_U = strstrt(text, ' ('), FIT_U ? text[FIT_U + 2:strlen(text) - 1] : '')
+parameter(text) = (FIT_O = unit_in(text), FIT_N = strlen(FIT_O) ? text[1:strstrt(text, ' (') - 1] : text, with_unit(short(L(FIT_N), SPAN), FIT_O))
 PARAMS = int(number('PARAMS', 0)); PROFILED = int(number('PROFILED', 0)); LIMIT = number('LIMIT', 0)
 array VALUE[PARAMS+1]; array LOW[PARAMS+1]; array HIGH[PARAMS+1]; array LOGGED[PARAMS+1]
-do for [k=1:PARAMS] { VALUE[k] = number('VALUE', k); LOW[k] = number('LOW', k); HIGH[k] = number('HIGH', k); LOGGED[k] = number('LOGGED', k) == 1 }
+do for [k=1:PARAMS] { PER_K = per(unit_in(text_of('PARAM', k))); VALUE[k] = PER_K*number('VALUE', k); LOW[k] = PER_K*number('LOW', k); HIGH[k] = PER_K*number('HIGH', k); LOGGED[k] = number('LOGGED', k) == 1 }
 PROFILES = DIR.'/tables/profiles.csv'
 SHOWN = PROFILED > 8 ? 8 : PROFILED
 ROWS = SHOWN ? (SHOWN + 1)/2 : 1
@@ -29,15 +29,15 @@ do for [k=1:SHOWN] {
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 150)/HEIGHT
     set xlabel parameter(text_of('PARAM', k)); set ylabel L('RISE') offset 1,0
-    set yrange [*:*]; set xrange [*:*]
-    stats PROFILES using (pick(of_param(k) && column("rise") < 4*LIMIT, column("value"))) nooutput
+    set yrange [*:*]; set xrange [*:*]; PER_K = per(unit_in(text_of('PARAM', k)))
+    stats PROFILES using (pick(of_param(k) && column("rise") < 4*LIMIT, PER_K*column("value"))) nooutput
     WIDE = (STATS_max - STATS_min)/(SHOWN == 1 ? 6.0 : 3.0); WIDE = WIDE > 0 ? WIDE : 1; TEN = 10.0**floor(log10(WIDE))
     TICK = WIDE/TEN > 5 ? 5*TEN : WIDE/TEN > 2 ? 2*TEN : TEN
     unset logscale x
     if (LOGGED[k] && STATS_max > 8*STATS_min) { set logscale x; set xtics autofreq } else { set xtics TICK }
     set xrange [STATS_min:STATS_max]; set yrange [0:1.3*LIMIT]; set samples 200
     set label 1 "95 %" at graph 0.5, first LIMIT center offset 0,0.6
-    plot PROFILES using (pick(of_param(k), column("value"))):"rise" with linespoints lt 1, LIMIT with lines lt 2, \
+    plot PROFILES using (pick(of_param(k), PER_K*column("value"))):"rise" with linespoints lt 1, LIMIT with lines lt 2, \
          parabola(k, x) with lines lt 1 lc rgb '#606060' lw 1 dt 3
 }
 unset multiplot

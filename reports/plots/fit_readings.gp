@@ -21,13 +21,14 @@ do for [g=1:SHOWN] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 122)/HEIGHT
     set title short(text_of('GROUP', g), SPAN + 60) offset 0,-0.6
     set xlabel with_unit(L(text_of('LOAD', g)), text_of('LOAD_UNIT', g)); set ylabel with_unit(L(text_of('GROUP_KIND', g)), text_of('GROUP_UNIT', g)) offset 1,0
+    PER_X = per(text_of('LOAD_UNIT', g)); PER_Y = per(text_of('GROUP_UNIT', g))
     FREE = text_of('LOAD', g) eq 'free sway'
     set xrange [*:*]; set yrange [*:*]; set xtics autofreq; set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05
     if (FREE) { set xrange [-0.5:1.5]; set xtics (L('MEASURED') 0, L('FITTED') 1); set xlabel " "; unset ylabel; set title short(text_of('GROUP', g), SPAN).' ['.unit_said(text_of('GROUP_UNIT', g)).']'; set format y "%g"; set offsets 0, 0, graph 0.3, graph 0.3 }
-    plot READINGS using (pick(in(g) && !FREE, column("load"))):(pick(in(g), column("predicted")-column("band_95"))):(pick(in(g), column("predicted")+column("band_95"))) with filledcurves fs solid 0.2 noborder lt 1, \
-         '' using (pick(in(g), FREE ? 0 : column("load"))):(pick(in(g), column("measured"))):"sigma" with yerrorbars lt 2 lw 1 dt 1 pt 6 ps 0.6, \
-         '' using (pick(in(g) && !FREE, column("load"))):(pick(in(g), column("predicted"))) with lines lt 1, \
-         '' using (pick(in(g) && FREE, 1)):(pick(in(g), column("predicted"))):"band_95" with yerrorbars lt 1 lw 1.2 pt 4 ps 0.7
+    plot READINGS using (pick(in(g) && !FREE, PER_X*column("load"))):(pick(in(g), PER_Y*(column("predicted")-column("band_95")))):(pick(in(g), PER_Y*(column("predicted")+column("band_95")))) with filledcurves fs solid 0.2 noborder lt 1, \
+         '' using (pick(in(g), FREE ? 0 : PER_X*column("load"))):(pick(in(g), PER_Y*column("measured"))):(PER_Y*column("sigma")) with yerrorbars lt 2 lw 1 dt 1 pt 6 ps 0.6, \
+         '' using (pick(in(g) && !FREE, PER_X*column("load"))):(pick(in(g), PER_Y*column("predicted"))) with lines lt 1, \
+         '' using (pick(in(g) && FREE, 1)):(pick(in(g), PER_Y*column("predicted"))):(PER_Y*column("band_95")) with yerrorbars lt 1 lw 1.2 pt 4 ps 0.7
 }
 unset multiplot
 set output

@@ -22,13 +22,13 @@ do for [k=1:SHOWN] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 140)/HEIGHT
     set title short(text_of('TEST', k), SPAN + 60) offset 0,-0.6
     set xlabel L('TIME'); set ylabel with_unit(L(text_of('TEST_LOAD', k)), text_of('TEST_UNIT', k)) offset 1,0
-    set xrange [*:*]; set yrange [*:*]
+    set xrange [*:*]; set yrange [*:*]; PER_Y = per(text_of('TEST_UNIT', k))
     if (number('SWAY', k) == 1) {
         unset ylabel; set title short(text_of('TEST', k), 0.6*SPAN).': '.with_unit(L(text_of('TEST_LOAD', k)), text_of('TEST_UNIT', k))
-        plot RECORDS using (pick(of_test(k), column("time_s"))):"load" with points lt 1 pt 7 ps 0.3, '' using (pick(of_test(k), column("time_s"))):"fitted" with lines lt 2 dt 1
+        plot RECORDS using (pick(of_test(k), column("time_s"))):(PER_Y*column("load")) with points lt 1 pt 7 ps 0.3, '' using (pick(of_test(k), column("time_s"))):(PER_Y*column("fitted")) with lines lt 2 dt 1
     } else {
-        plot RECORDS using (pick(of_test(k), column("time_s"))):"load" with lines lt 1 lc rgb '#999999' lw 0.8, \
-             '' using (pick(of_test(k) && column("used") > 0, column("time_s"))):"load" with points lt 2 pt 7 ps 0.3
+        plot RECORDS using (pick(of_test(k), column("time_s"))):(PER_Y*column("load")) with lines lt 1 lc rgb '#999999' lw 0.8, \
+             '' using (pick(of_test(k) && column("used") > 0, column("time_s"))):(PER_Y*column("load")) with points lt 2 pt 7 ps 0.3
     }
 }
 unset multiplot

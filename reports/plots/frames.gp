@@ -23,11 +23,11 @@ do for [p=1:PANELS] {
 # What is to be drawn, read once: run, key, level, base and way to the end
 wanted(r, k) = SHOWN > 0 ? r == SHOWN : k <= 1
 set table $WOOD separator comma
-plot DIR.'/tables/frames.csv' using (column("run")):(column("key")):(column("level")):(column("along0_m")):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with table if (wanted(column("run"), column("key")))
+plot DIR.'/tables/frames.csv' using (column("run")):(column("key")):(column("level")):(PER_M*column("along0_m")):(PER_M*column("z0_m")):(PER_M*(column("along1_m")-column("along0_m"))):(PER_M*(column("z1_m")-column("z0_m"))) with table if (wanted(column("run"), column("key")))
 unset table
 if (leafy) {
     set table $LEAF separator comma
-    plot DIR.'/tables/leaves.csv' using (column("run")):(column("key")):(0):(column("along0_m")):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with table if (wanted(column("run"), column("key")))
+    plot DIR.'/tables/leaves.csv' using (column("run")):(column("key")):(0):(PER_M*column("along0_m")):(PER_M*column("z0_m")):(PER_M*(column("along1_m")-column("along0_m"))):(PER_M*(column("z1_m")-column("z0_m"))) with table if (wanted(column("run"), column("key")))
     unset table
 }
 set datafile nocolumnheaders
@@ -50,14 +50,14 @@ WIDE = (WIDTH - 66)/COLUMNS - 10; TALL = WIDE*top/(high - low)
 most = LINES == 2 ? 154.0 : 560.0/LINES - 46;   # of two lines two figures go on a page
 most = most > 330 ? 330.0 : most
 if (TALL > most) { TALL = most }
-PER = TALL/top; WIDE = PER*(high - low)
+WIDE = TALL/top*(high - low)
 HEIGHT = LINES*(TALL + 46) + 26
 load HERE.'start.gp'
 set multiplot
 unset key; unset grid
 set border 1 lw 0.6
 set xtics format "%g" scale 0.4 font ",9.5"; set ytics format "%g" scale 0.4 font ",9.5"
-TICK = (high - low) > 12 ? 5.0 : (high - low) > 5 ? 2.0 : (high - low) > 2 ? 1.0 : 0.5
+TICK = (high - low) > 30 ? 10.0 : (high - low) > 12 ? 5.0 : (high - low) > 5 ? 2.0 : (high - low) > 2 ? 1.0 : 0.5
 set xtics TICK
 do for [p=1:PANELS] {
     c = (p - 1) % COLUMNS; l = (p - 1)/COLUMNS
@@ -66,7 +66,7 @@ do for [p=1:PANELS] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
     set xrange [low:high]; set yrange [0:top]
     r = RUN_OF(p); k = KEY_OF(p)
-    set title (SHOWN > 0 ? sprintf('%.3g s, %.3g m/s', number(sprintf('KEY_TIME_%d', r), k), number(sprintf('KEY_WIND_%d', r), k)) : short(NAME[r], 1.2*((WIDTH - 50)/COLUMNS - 10))) font ",10" offset 0,-0.9
+    set title (SHOWN > 0 ? sprintf('%.3g s, ', number(sprintf('KEY_TIME_%d', r), k)).three(number(sprintf('KEY_WIND_%d', r), k), 'm/s') : two_lines(NAME[r], 1.2*((WIDTH - 50)/COLUMNS - 10))) font ",10" offset 0,-0.9
     set xlabel (l == LINES - 1 ? L('ALONG') : '') font ',9.5' offset 0,0.6; set ylabel (c == 0 ? L('HEIGHT') : '') font ',9.5' offset 0.3,0
     if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",9.5" autofreq } else { set border 1; unset ytics }
     set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead front dt (4,4) lc rgb '#606060' lw 0.9

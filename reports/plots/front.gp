@@ -57,7 +57,7 @@ if (turned) {
 } else { set xtics step; set ytics step }
 set lmargin at screen LEFT/WIDTH; set rmargin at screen (LEFT + w)/WIDTH
 set tmargin at screen (HEIGHT - TITLE)/HEIGHT; set bmargin at screen (HEIGHT - TITLE - h)/HEIGHT
-set xlabel in_units(L('ALONG')) offset 0,0.4; set ylabel in_units(L('HEIGHT')) offset 0.8,0
+set xlabel L('ALONG') offset 0,0.4; set ylabel L('HEIGHT') offset 0.8,0
 # from blue over grey to dark red-brown, seen alike by the colour-blind
 set palette defined (0 '#56B4E9', 25 '#0072B2', 50 '#E69F00', 75 '#D55E00', 100 '#5a1a00')
 set cbrange [0:100]; set cbtics 25 scale 0.4

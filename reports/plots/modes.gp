@@ -7,12 +7,12 @@ LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 SHOWN = ARGC > 3 ? int(ARG4) : 1
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
-MODES = int(number(sprintf('MODES_%d', SHOWN), 0)); TALL = number('HEIGHT', 0)
+MODES = int(number(sprintf('MODES_%d', SHOWN), 0)); TALL = PER_M*number('HEIGHT', 0)
 SHAPES = DIR.'/tables/mode_shapes.csv'
 mine(k) = column("run") == SHOWN && column("mode") == k
 side(k) = (MODE_D = k > 0 ? text_of(sprintf('DIRECTION_%d', SHOWN), k) : '', MODE_D eq 'across' || (MODE_D ne 'along' && number(sprintf('ACROSS_%d', SHOWN), k) > 0))
-x(k, end) = side(k) ? column(sprintf('across%d_m', end)) : column(sprintf('along%d_m', end))
-z(end) = column(sprintf('z%d_m', end))
+x(k, end) = PER_M*(side(k) ? column(sprintf('across%d_m', end)) : column(sprintf('along%d_m', end)))
+z(end) = PER_M*column(sprintf('z%d_m', end))
 GROW = 0.1*TALL
 mx(k, end) = x(k, end) + GROW*(side(k) ? column(sprintf('move_across%d', end)) : column(sprintf('move_along%d', end)))
 mz(end) = z(end) + GROW*column(sprintf('move_up%d', end))

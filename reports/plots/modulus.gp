@@ -11,13 +11,13 @@ array SWEPT[RUNS]
 do for [k=1:RUNS] { SWEPT[k] = number('SWEPT', k) }
 swept(r) = (sum [k=1:RUNS] (SWEPT[k] == r ? 1 : 0)) > 0
 set table $SWEEP separator comma
-plot DIR.'/tables/runs.csv' using (column("youngs_modulus_Pa")/1e9):(column("tip_deflection_mean_m")) with table if (swept(column("run")))
+plot DIR.'/tables/runs.csv' using (per('GPa')*column("youngs_modulus_Pa")/1e9):(PER_M*column("tip_deflection_mean_m")) with table if (swept(column("run")))
 unset table
 set datafile nocolumnheaders
 load HERE.'start.gp'
 unset key
 set lmargin at screen 70.0/WIDTH; set rmargin at screen 600.0/WIDTH
 set xlabel L('YOUNGS'); set ylabel L('TIP_M')
-set offsets 0.5, 0.5, 0, 0; set yrange [0:*]
+set offsets 0.5*per('GPa'), 0.5*per('GPa'), 0, 0; set yrange [0:*]
 plot $SWEEP using 1:2 smooth unique with linespoints lt 1
 set output

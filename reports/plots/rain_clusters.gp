@@ -11,8 +11,8 @@ load HERE.'start.gp'
 set lmargin at screen 70.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set size ratio -1; unset colorbox; unset key
 set xlabel L('RAIN_X'); set ylabel L('RAIN_Z') offset 1,0
-plot POINTS using (column("x_m")):(column("z_m")):(int(column("cluster")) % 6 + 1) with points pt 7 ps 0.2 lc variable, \
-     NODES using (column("x_m")):(column("z_m")) with lines lc rgb '#404040' lw 1, \
-     NODES using (column("x_m")):(column("z_m")) with points pt 6 ps 1.1 lc rgb '#000000', \
-     NODES using (column("x_m")):(column("z_m")):(sprintf('%d', int(column("cluster")))) with labels offset 0,1
+plot POINTS using (PER_M*column("x_m")):(PER_M*column("z_m")):(int(column("cluster")) % 6 + 1) with points pt 7 ps 0.2 lc variable, \
+     NODES using (PER_M*column("x_m")):(PER_M*column("z_m")) with lines lc rgb '#404040' lw 1, \
+     NODES using (PER_M*column("x_m")):(PER_M*column("z_m")) with points pt 6 ps 1.1 lc rgb '#000000', \
+     NODES using (PER_M*column("x_m")):(PER_M*column("z_m")):(sprintf('%d', int(column("cluster")))) with labels offset 0,1
 set output

@@ -11,13 +11,13 @@ array LAW[5] = ['atlas', 'brandes', 'van-dijk', 'uplinger', 'lhermitte']
 load HERE.'start.gp'
 set multiplot
 set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen 52.0/HEIGHT
-set xrange [0:6]; set xlabel L('RAIN_DIAMETER') offset 0,0.3
+set xrange [0:6*PER_MM]; set xlabel L('RAIN_DIAMETER') offset 0,0.3
 set lmargin at screen 62.0/WIDTH; set rmargin at screen 350.0/WIDTH
-set yrange [0:10]; set ylabel L('RAIN_SPEED') offset 1,0; set key bottom right
-plot for [k=1:5] FALLS using (column("diameter_mm")):(column(LAW[k].'_m_s')) with lines lt k lw 1.2 title LAW[k]
+set yrange [0:10*PER_MS]; set ylabel L('RAIN_SPEED') offset 1,0; set key bottom right
+plot for [k=1:5] FALLS using (PER_MM*column("diameter_mm")):(PER_MS*column(LAW[k].'_m_s')) with lines lt k lw 1.2 title L('FALL_'.LAW[k])
 set lmargin at screen 440.0/WIDTH; set rmargin at screen 622.0/WIDTH
 set logscale y; set yrange [0.01:20000]; set format y "%g"
 set ylabel L('RAIN_NUMBER') offset 1,0 font ',9.5'; unset key
-plot FALLS using (column("diameter_mm")):(column("number_m3_mm")) with lines lt 1
+plot FALLS using (PER_MM*column("diameter_mm")):(column("number_m3_mm")) with lines lt 1
 unset multiplot
 set output

@@ -8,8 +8,8 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 KEYS = int(number('KEYS', RUN))
 SCENE = DIR.'/tables/scene.csv'; AIR = DIR.'/tables/air.csv'
-LOW_X = number('LOW_X', RUN); HIGH_X = number('HIGH_X', RUN); LOW_Z = number('LOW_Z', RUN); HIGH_Z = number('HIGH_Z', RUN)
-SPAN_X = HIGH_X - LOW_X; BOTTOM = LOW_Z - 0.06; TOP = HIGH_Z + 0.12
+LOW_X = PER_M*number('LOW_X', RUN); HIGH_X = PER_M*number('HIGH_X', RUN); LOW_Z = PER_M*number('LOW_Z', RUN); HIGH_Z = PER_M*number('HIGH_Z', RUN)
+SPAN_X = HIGH_X - LOW_X; BOTTOM = LOW_Z - 0.06*PER_M; TOP = HIGH_Z + 0.12*PER_M
 WIDTH = 640.0; ACROSS = KEYS > 4 ? 4 : 3; DOWN = ceil(KEYS/(1.0*ACROSS))
 # true to scale: an upright branch has room beside it
 PANEL = (WIDTH - 64.0)/ACROSS - 12; WIDE = 1.06*SPAN_X; WIDE = WIDE*260 < PANEL*(TOP - BOTTOM) ? PANEL*(TOP - BOTTOM)/260 : WIDE
@@ -22,13 +22,13 @@ stats SCENE using (column("run") == RUN ? begin(int(column("key")), column(0)) :
 stats SCENE using (pick(column("run") == RUN && column("key") == KEYS, 0)) name 'S' nooutput
 array X0[S_records]; array Z0[S_records]; array X1[S_records]; array Z1[S_records]
 index(k) = 1 + int(column(0) - START[k])
-keep(i) = (X0[i] = column("x0_m"), Z0[i] = column("z0_m"), X1[i] = column("x1_m"), Z1[i] = column("z1_m"), 0)
+keep(i) = (X0[i] = PER_M*column("x0_m"), Z0[i] = PER_M*column("z0_m"), X1[i] = PER_M*column("x1_m"), Z1[i] = PER_M*column("z1_m"), 0)
 stats SCENE using (column("run") == RUN && column("key") == KEYS ? keep(index(KEYS)) : 0) name 'S' nooutput
-moved(k) = sqrt((column("x1_m") - X1[index(k)])**2 + (column("z1_m") - Z1[index(k)])**2)
+moved(k) = sqrt((PER_M*column("x1_m") - X1[index(k)])**2 + (PER_M*column("z1_m") - Z1[index(k)])**2)
 stats SCENE using (column("run") == RUN ? moved(int(column("key"))) : 0) name 'S' nooutput
 TIMES = 1.0
 do for [t in "2 5 10 20 50"] { TIMES = real(t)*S_max <= 0.09*WIDE ? real(t) : TIMES }
-grown(k, name, rest) = rest + TIMES*(column(name) - rest)
+grown(k, name, rest) = rest + TIMES*(PER_M*column(name) - rest)
 ax(k) = grown(k, "x0_m", X0[index(k)]); az(k) = grown(k, "z0_m", Z0[index(k)])
 bx(k) = grown(k, "x1_m", X1[index(k)]); bz(k) = grown(k, "z1_m", Z1[index(k)])
 load HERE.'start.gp'
@@ -50,12 +50,12 @@ do for [k=1:KEYS] {
     if (i == 0) { set format y "%.4g" } else { set format y "" }
     if (j == DOWN - 1) { set xlabel L('RAIN_X') offset 0,0.6 } else { set xlabel "" }
     if (i == 0) { set ylabel L('RAIN_Z') offset -0.5,0 font ',9.5' } else { set ylabel "" }
-    plot SCENE using (pick(here(KEYS), column("x0_m"))):(column("z0_m")):(column("x1_m")-column("x0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#c8c8c8' dt 1 lw 0.8, \
+    plot SCENE using (pick(here(KEYS), PER_M*column("x0_m"))):(PER_M*column("z0_m")):(PER_M*(column("x1_m")-column("x0_m"))):(PER_M*(column("z1_m")-column("z0_m"))) with vectors nohead lc rgb '#c8c8c8' dt 1 lw 0.8, \
          SCENE using (at_frame(k, "edge") ? ax(k) : NaN):(at_frame(k, "edge") ? az(k) : NaN):(at_frame(k, "edge") ? bx(k) - ax(k) : NaN):(at_frame(k, "edge") ? bz(k) - az(k) : NaN) with vectors nohead lt 3 dt 1 lw 0.9, \
          SCENE using (at_frame(k, "vein") ? ax(k) : NaN):(at_frame(k, "vein") ? az(k) : NaN):(at_frame(k, "vein") ? bx(k) - ax(k) : NaN):(at_frame(k, "vein") ? bz(k) - az(k) : NaN) with vectors nohead lc rgb '#7fcfb8' dt 1 lw 0.7, \
          SCENE using (at_frame(k, "petiole") ? ax(k) : NaN):(at_frame(k, "petiole") ? az(k) : NaN):(at_frame(k, "petiole") ? bx(k) - ax(k) : NaN):(at_frame(k, "petiole") ? bz(k) - az(k) : NaN) with vectors nohead lc rgb '#7a5a2f' dt 1 lw 1.2, \
          SCENE using (at_frame(k, "branch") ? ax(k) : NaN):(at_frame(k, "branch") ? az(k) : NaN):(at_frame(k, "branch") ? bx(k) - ax(k) : NaN):(at_frame(k, "branch") ? bz(k) - az(k) : NaN) with vectors nohead lc rgb '#5b3d16' dt 1 lw 2.2, \
-         AIR using (pick(here(k), column("x_m"))):(column("z_m")):(-0.004*column("vx_m_s")):(-0.004*column("vz_m_s")) with vectors nohead lt 1 dt 1 lw 1.0
+         AIR using (pick(here(k), PER_M*column("x_m"))):(PER_M*column("z_m")):(-0.004*PER_M*column("vx_m_s")):(-0.004*PER_M*column("vz_m_s")) with vectors nohead lt 1 dt 1 lw 1.0
 }
 load HERE.'strip.gp'
 plot 2 with lines, keyentry with lines lw 1.4 dt 1 lc rgb '#c8c8c8' title sprintf(L('RAIN_LAST'), sprintf('%g', TIMES))

@@ -22,7 +22,7 @@ do for [p=1:5] {
     if (p == 1) { plot SERIES using (column("time_s")):(of_run(column("held_mg"))) with lines lt 1 title L('RAIN_HELD'), '' using (column("time_s")):(of_run(column("film_mg"))) with lines lt 3 title L('RAIN_FILM'), '' using (column("time_s")):(of_run(column("fell_mg"))) with lines lt 2 title L('RAIN_FELL') }
     if (p == 2) { plot SERIES using (column("time_s")):(of_run(column("rest"))) with lines lt 1 title L('RAIN_rest'), '' using (column("time_s")):(of_run(column("run_drops"))) with lines lt 2 title L('RAIN_run'), '' using (column("time_s")):(of_run(column("hang"))) with lines lt 4 title L('RAIN_hang') }
     if (p == 3) { plot SERIES using (column("time_s")):(of_run(column("petiole_moment_mNm"))) with lines lt 1 title L('RAIN_PETIOLE'), '' using (column("time_s")):(of_run(column("branch_moment_mNm"))) with lines lt 2 title L('RAIN_BRANCH') }
-    if (p == 4) { plot SERIES using (column("time_s")):(of_run(column("tip_up_mm"))) with lines lt 1 lw 1.1 title L('RAIN_UP'), '' using (column("time_s")):(of_run(column("tip_across_mm"))) with lines lt 3 lw 1.1 title L('RAIN_SIDE'), '' using (column("time_s")):(of_run(column("branch_up_mm"))) with lines lt 2 lw 1.1 title L('RAIN_BRANCH_UP') }
+    if (p == 4) { plot SERIES using (column("time_s")):(of_run(PER_MM*column("tip_up_mm"))) with lines lt 1 lw 1.1 title L('RAIN_UP'), '' using (column("time_s")):(of_run(PER_MM*column("tip_across_mm"))) with lines lt 3 lw 1.1 title L('RAIN_SIDE'), '' using (column("time_s")):(of_run(PER_MM*column("branch_up_mm"))) with lines lt 2 lw 1.1 title L('RAIN_BRANCH_UP') }
     if (p == 5) { plot SERIES using (column("time_s")):(of_run(column("twist_deg"))) with lines lt 1 lw 1.1 title L('RAIN_TWIST') }
 }
 unset multiplot

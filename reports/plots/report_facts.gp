@@ -23,10 +23,9 @@ SPEED_MAX = number('SPEED_MAX', 0)
 SPEED = 1; LENGTH = 2; MOMENT = 3; STRESS = 4; FORCE = 5
 array METRIC[5] = ['m/s', 'm', 'kN m', 'MPa', 'kN']
 array UNIT[5]; array PER[5]
-do for [i=1:5] { UNIT[i] = strlen(text_of('UNIT', i)) ? text_of('UNIT', i) : METRIC[i]; PER[i] = strlen(text_of('UNIT', i)) ? number('FACTOR', i) : 1.0 }
+do for [i=1:5] { UNIT[i] = unit(METRIC[i]); PER[i] = per(METRIC[i]) }
 put(s, a, b) = strstrt(s, a) ? s[1:strstrt(s, a) - 1].b.s[strstrt(s, a) + strlen(a):] : s
-in_units(s) = (IN_S = s, (sum [FACTS_J=1:5] (IN_S = put(IN_S, '['.METRIC[FACTS_J].']', '['.UNIT[FACTS_J].']'), 0)), \
-    IN_S = put(IN_S, '%s m/s', '%s '.UNIT[SPEED]), IN_S = put(IN_S, '%s m ', '%s '.UNIT[LENGTH].' '), IN_S)
+in_units(s) = put(s, '%s m/s', '%s '.UNIT[SPEED])
 turned = PER[SPEED] != 1
 said(k, x) = turned ? sprintf(PER[k]*x >= 1000 ? '%.0f' : '%.3g', PER[k]*x) : sprintf('%g', x)
 # as typed; what was converted, with three figures

@@ -15,6 +15,6 @@ set yrange [0.3*STATS_min:1]
 set format y "%g"
 set xlabel L('WIND_MS'); set ylabel L('SHARE_ABOVE')
 set key top right
-plot EXCEEDED using "speed_m_s":"share_fitted" with lines lw 1.4 title L('ROSE_FITTED'), \
-     EXCEEDED using "speed_m_s":"share_counted" with points pt 7 ps 0.35 lc rgb '#404040' title L('ROSE_COUNTED')
+plot EXCEEDED using (PER_MS*column("speed_m_s")):"share_fitted" with lines lw 1.4 title L('ROSE_FITTED'), \
+     EXCEEDED using (PER_MS*column("speed_m_s")):"share_counted" with points pt 7 ps 0.35 lc rgb '#404040' title L('ROSE_COUNTED')
 set output

@@ -26,7 +26,7 @@ from = from < 0.1 ? 0.1 : from
 set xrange [0:PER[SPEED]*SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
 set ytics add ("0.1" 0.1, "0.2" 0.2, "0.5" 0.5, "1" 1, "2" 2, "5" 5, "20" 20, "50" 50)
 set format y '%g'
-set xlabel sprintf(in_units(L('WIND')), said(LENGTH, number('REFERENCE', 0))); set ylabel L('SAFETY') offset 1,0
+set xlabel sprintf(L('WIND'), typed(number('REFERENCE', 0), 'm')); set ylabel L('SAFETY') offset 1,0
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
 set tmargin at screen 1 - ABOVE/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
 # Critical speeds: a line up to the figure, which stands above the plot, where no curve passes; close neighbours stand above one

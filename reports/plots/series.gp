@@ -18,8 +18,8 @@ do for [r=1:RUNS] { SPAN = FRAMES[r]*STEP[r] > SPAN && FRAMES[r] > 1 ? FRAMES[r]
 level(low, high) = high - low <= 1e-9*abs(high)
 below(low) = low - 0.1*abs(low) - 1e-9
 above(high) = high + 0.1*abs(high) + 1e-9
-stats SERIES using "wind_m_s" name "WIND" nooutput
-stats SERIES using "tip_deflection_m" name "TIP" nooutput
+stats SERIES using (PER_MS*column("wind_m_s")) name "WIND" nooutput
+stats SERIES using (PER_M*column("tip_deflection_m")) name "TIP" nooutput
 load HERE.'start.gp'
 set multiplot
 set lmargin at screen 82.0/WIDTH; set rmargin at screen 625.0/WIDTH
@@ -27,13 +27,13 @@ set xrange [0:SPAN]
 set tmargin at screen 1 - 12.0/HEIGHT; set bmargin at screen 1 - (12 + ROW)/HEIGHT
 set ylabel L('WIND_MS'); set format x ""
 if (level(WIND_min, WIND_max)) { set yrange [below(WIND_min):above(WIND_max)] } else { set yrange [*:*] }
-plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(column("wind_m_s")) with lines lt c lw 1.2
+plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(PER_MS*column("wind_m_s")) with lines lt c lw 1.2
 set format x "%g"
 set tmargin at screen 1 - (24 + ROW)/HEIGHT; set bmargin at screen 1 - (24 + 2*ROW)/HEIGHT
 set ylabel L('TIP_M') offset 1.2,0; set xlabel L('TIME')
 if (level(TIP_min, TIP_max)) { set yrange [below(TIP_min):above(TIP_max)] } else { set yrange [*:*] }
-plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(column("tip_deflection_m")) with lines lt c lw 1.2, \
-     SERIES using (pick(column("beyond_breakage") == 1, column("time_s"))):(column("tip_deflection_m")) with points pt 7 ps 0.25 lc rgb '#b0b0b0'
+plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(PER_M*column("tip_deflection_m")) with lines lt c lw 1.2, \
+     SERIES using (pick(column("beyond_breakage") == 1, column("time_s"))):(PER_M*column("tip_deflection_m")) with points pt 7 ps 0.25 lc rgb '#b0b0b0'
 load HERE.'strip.gp'
 set key maxcols 2
 plot for [c=1:words(MOVING)] -1 with lines lt c title short(NAME[nth(MOVING, c)], 230)

@@ -71,12 +71,12 @@ do for [i=1:trees] {
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
     set title short(NAME[i], trees == 1 ? 560 : (640.0 - LEFT)/columns - 12) offset 0,-0.5
-    set xlabel in_units(L('ALONG')) offset 0,0.4
+    set xlabel L('ALONG') offset 0,0.4
     if (turned) {
         set xtics ('0' 0); set ytics ((c ? '' : '0') 0)
         do for [k=-100:100] { set xtics add (tic(k*xstep) lengths(k*xstep)); set ytics add ((c ? '' : tic(k*ystep)) lengths(k*ystep)) }
     }
-    if (c == 0) { set ylabel in_units(L('HEIGHT')) offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
     plot for [n=1:branched(i)*words(SOLVED[i])] SHAPE every ::row_first(i, n)::row_last(i, n) using (from(at(i, WIND[nth(SOLVED[i], n)]), bent(i), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)) lw 0.35 dt 1, \
          for [n=1:(words(SOLVED[i]) > 0)] SHAPE every ::row_first(i, n)::row_last(i, n) using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
          for [n=1:words(SOLVED[i])] SHAPE every ::row_first(i, n)::row_last(i, n) using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)), \

@@ -34,7 +34,7 @@ set xrange [LEFT:LEFT+WIDE]; set yrange [BOTTOM:BOTTOM+TALL]
 unset datafile columnheaders
 do for [part=1:2] {
     TOP = 22.0 + (part - 1)*BLOCK
-    set label 1 (part == 1 ? sprintf(L('SLABS_COVERAGE'), sprintf('%.3g', DEPTH), sprintf('%.3g', WIDE), sprintf('%.3g', TALL)) : L('SLABS_CELLS')) at screen 0.015, screen 1 - (TOP - 11)/HEIGHT left
+    set label 1 (part == 1 ? sprintf(L('SLABS_COVERAGE'), three(DEPTH, 'm'), three(WIDE, 'm'), three(TALL, 'm')) : L('SLABS_CELLS')) at screen 0.015, screen 1 - (TOP - 11)/HEIGHT left
     if (part == 1) {
         set palette defined (0 '#ffffff', 0.02 '#e7efe2', 0.25 '#a5c48d', 0.6 '#4f8a4b', 1 '#123d1c'); set cbrange [0:1]
     } else {
@@ -69,8 +69,8 @@ set border 3 lw 0.8 lc rgb '#404040'; set tics nomirror out scale 0.6; set grid 
 set xtics nomirror autofreq; set ytics nomirror autofreq
 set key bottom left
 set xlabel L('FROM_FRONT') offset 0,0.2; set ylabel L('OF_UNDISTURBED') offset 0,0
-set xrange [0:DEPTH]; set yrange [*:1.02]
-plot SLABTABLE using (column("front_m")):(column("flux_ratio")) with lines lt 1 title L('FLUX'), \
-     SLABTABLE using (column("front_m")):(column("arriving_ratio")) with lines lt 2 title L('MEAN_WIND')
+set xrange [0:PER_M*DEPTH]; set yrange [*:1.02]
+plot SLABTABLE using (PER_M*column("front_m")):(column("flux_ratio")) with lines lt 1 title L('FLUX'), \
+     SLABTABLE using (PER_M*column("front_m")):(column("arriving_ratio")) with lines lt 2 title L('MEAN_WIND')
 unset multiplot
 set output

@@ -5,8 +5,8 @@ DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_wind.svg'
 LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
-LEFT = number('LEFT', 0); WIDE = number('WIDE', 0); BOTTOM = number('BOTTOM', 0); TALL = number('TALL', 0); DEPTH = number('DEPTH', 0)
-FRONT = number('FRONT', 0); CUT_UP = number('CUT_UP', 0); CUT_ACROSS = number('CUT_ACROSS', 0); LAW = text_of('LAW', 0)
+LEFT = PER_M*number('LEFT', 0); WIDE = PER_M*number('WIDE', 0); BOTTOM = PER_M*number('BOTTOM', 0); TALL = PER_M*number('TALL', 0); DEPTH = PER_M*number('DEPTH', 0)
+FRONT = PER_M*number('FRONT', 0); CUT_UP = number('CUT_UP', 0); CUT_ACROSS = number('CUT_ACROSS', 0); LAW = text_of('LAW', 0)
 LEVEL = DIR.'/tables/cut_level.csv'
 UPRIGHT = DIR.'/tables/cut_upright.csv'
 WIDTH = 640.0
@@ -35,16 +35,16 @@ do for [i=1:2] {
     set lmargin at screen 58.0/WIDTH; set rmargin at screen (58.0 + LONG)/WIDTH
     set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT
     set colorbox vertical user origin (58.0 + LONG + 10)/WIDTH, 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT size 10.0/WIDTH, (i == 1 ? H1 : H2)/HEIGHT
-    set title (i == 1 ? sprintf(L('CUT_LEVEL'), LAW, sprintf('%.1f', CUT_UP)) : sprintf(L('CUT_UPRIGHT'), sprintf('%.1f', CUT_ACROSS))) offset 0,-0.6
+    set title (i == 1 ? sprintf(L('CUT_LEVEL'), LAW, three(CUT_UP, 'm')) : sprintf(L('CUT_UPRIGHT'), three(CUT_ACROSS, 'm'))) offset 0,-0.6
     set xlabel (i == 1 ? "" : L('ALONG_M')) offset 0,0.4
     set arrow 1 from first FRONT, graph 0 to first FRONT, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
     set arrow 2 from first FRONT+DEPTH, graph 0 to first FRONT+DEPTH, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
     if (i == 1) {
         set ylabel L('ACROSS_M') offset 1,0; set yrange [LEFT:LEFT+WIDE]
-        plot LEVEL using (column("along_m")):(column("across_m")):(column("ratio")) with image
+        plot LEVEL using (PER_M*column("along_m")):(PER_M*column("across_m")):(column("ratio")) with image
     } else {
         set ylabel L('HEIGHT_M') offset 1,0; set yrange [BOTTOM:BOTTOM+TALL]
-        plot UPRIGHT using (column("along_m")):(column("up_m")):(column("ratio")) with image
+        plot UPRIGHT using (PER_M*column("along_m")):(PER_M*column("up_m")):(column("ratio")) with image
     }
 }
 unset multiplot

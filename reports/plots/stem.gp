@@ -37,12 +37,12 @@ do for [i=1:trees] {
     c = (i-1)%columns; b = (i-1)/columns
     x0 = LEFT + c*(w + GAP)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
-    if (c == 0) { set ylabel in_units(L('HEIGHT')) offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
     do for [panel=0:1] {
         y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - panel*(h + UNDER)
         set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
         if (panel) { unset title } else { set title short(NAME[i], trees == 1 ? 560 : w + GAP) offset 0,-0.5 }
-        set xlabel in_units(panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
+        set xlabel (panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
         A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
         unit = panel ? PER[STRESS] : 1e-3*PER[MOMENT]
         most = panel ? PER[STRESS]*stress : PER[MOMENT]*moment

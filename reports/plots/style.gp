@@ -33,8 +33,17 @@ ends(name, tail) = strlen(name) >= strlen(tail) && name[strlen(name)-strlen(tail
 of(i) = column("tree") == i
 at(i, u) = of(i) && abs(column("wind_m_s") - u) <= 1e-9*(1 + u)
 pick(is, y) = is ? y : NaN
-# A text of a user's, cut with an ellipsis to a place of so many pixels; Chinese characters are taken as wide.
-short(text, pixels) = (SHORT_N = int(pixels/(LANGUAGE eq 'zh' ? 12.0 : 7.0)), SHORT_N = SHORT_N < 4 ? 4 : SHORT_N, \
-    strlen(text) > SHORT_N ? text[1:SHORT_N - 1].'…' : text)
+# A text of a user's in so many pixels: in one line, shortened behind a word, or in two. Chinese characters are taken as wide.
+ASCII = " !#$%&()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_abcdefghijklmnopqrstuvwxyz{|}~'"
+glyph(c) = strstrt(ASCII, c) ? 7 : 12
+text_width(text) = sum [STYLE_I=1:strlen(text)] glyph(text[STYLE_I:STYLE_I])
+# how many characters have room, then the last of them behind which a line may end
+text_room(text, pixels) = (STYLE_W = 0, sum [STYLE_I=1:strlen(text)] (STYLE_W = STYLE_W + glyph(text[STYLE_I:STYLE_I]), STYLE_W <= pixels ? 1 : 0))
+end_of_word(text, n) = (STYLE_E = n, (sum [STYLE_I=1:n] (STYLE_E = strstrt(" ，：、；", text[STYLE_I:STYLE_I]) && 3*STYLE_I > n ? STYLE_I : STYLE_E, 0)), STYLE_E)
+trimmed(s) = strlen(s) && strstrt(" ,，：、；", s[strlen(s):]) ? s[1:strlen(s) - 1] : s
+short(text, pixels) = text_width(text) <= pixels ? text : (STYLE_N = text_room(text, pixels - 12), STYLE_N = STYLE_N < 3 ? 3 : STYLE_N, \
+    STYLE_S = trimmed(text[1:end_of_word(text, STYLE_N)]), trimmed(STYLE_S).'…')
+two_lines(text, pixels) = text_width(text) <= pixels ? text : (STYLE_L = end_of_word(text, text_room(text, pixels)), \
+    STYLE_F = trimmed(text[1:STYLE_L]), STYLE_F."\n".short(text[STYLE_L + 1:], pixels))
 # The n-th number of a list; gnuplot evaluates a loop's body once even where the list is empty.
 nth(list, n) = words(list) < n ? 1 : int(word(list, n))

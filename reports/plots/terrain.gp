@@ -11,7 +11,7 @@ stats TERRAIN using (column("x_m")):(column("y_m")) nooutput
 XLOW = STATS_min_x; XHIGH = STATS_max_x; YLOW = STATS_min_y; YHIGH = STATS_max_y
 stats TERRAIN using (column("wind_factor")) nooutput
 POINTS = STATS_records; FLOW = STATS_min; FHIGH = STATS_max
-stats TERRAIN using (column("height_m")) nooutput
+stats TERRAIN using (PER_M*column("height_m")) nooutput
 ZLOW = STATS_min; ZHIGH = STATS_max
 stats TERRAIN using (column("topex_deg")) nooutput
 TLOW = STATS_min; THIGH = STATS_max; TMEAN = STATS_mean; TWIDE = 2.5*STATS_stddev
@@ -29,12 +29,13 @@ set format xy "%g"
 set palette maxcolors 16
 unset colorbox
 SIDE = 1 + int((sqrt(POINTS) - 1)/80)
-km(v) = v/1000.0
+km(v) = PER_KM*v/1000.0
 # four or five ticks a side; palettes run from light to dark, so that a copy in black and white can be read
 ten(span) = 10.0**floor(log10(span))
 step(span) = span/ten(span) > 5 ? 5*ten(span) : span/ten(span) > 2 ? 2*ten(span) : ten(span)
 TICK = step(km(XHIGH - XLOW)/4.0)
 array TITLE[3] = [L('TERRAIN_HEIGHT'), L('TERRAIN_TOPEX'), sprintf(L('TERRAIN_FACTOR'), sprintf('%g', FROM))]
+array PER_MAP[3] = [PER_M, 1.0, 1.0]
 array NAMES[3] = ["height_m", "topex_deg", "wind_factor"]
 do for [i=1:3] {
     col = (i - 1) % 2; row = (i - 1)/2
@@ -53,7 +54,7 @@ do for [i=1:3] {
     if (i == 3 && FLOW == FHIGH) { set cbrange [FLOW-0.1:FHIGH+0.1] }
     set xrange [km(XLOW):km(XHIGH)]; set yrange [km(YLOW):km(YHIGH)]
     set xtics border nomirror out scale 0.6 TICK; set ytics border nomirror out scale 0.6 TICK; set xlabel L('EAST_KM') offset 0,0.3
-    plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(column(NAMES[i])) every SIDE:SIDE with image
+    plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(PER_MAP[i]*column(NAMES[i])) every SIDE:SIDE with image
     CLOW = GPVAL_CB_MIN; CHIGH = GPVAL_CB_MAX
     set cbrange [CLOW:CHIGH]; set xrange [0:1]; set yrange [CLOW:CHIGH]
     set lmargin at screen (x0 + 221)/WIDTH; set rmargin at screen (x0 + 230)/WIDTH

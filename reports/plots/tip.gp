@@ -11,11 +11,11 @@ WIDTH = 640.0; HEIGHT = 250.0 + KEY
 load HERE.'start.gp'
 set multiplot
 set xrange [0:PER[SPEED]*SPEED_MAX]; set yrange [0:1e-3 < *] # a tree that does not move has an axis all the same
-set xlabel sprintf(in_units(L('WIND')), said(LENGTH, number('REFERENCE', 0)))
+set xlabel sprintf(L('WIND'), typed(number('REFERENCE', 0), 'm'))
 bottom = (52.0 + KEY)/HEIGHT
 do for [panel=0:1] {
     NAME_Y = panel ? "tip_angle_deg" : "tip_deflection_m"; SCALE_Y = panel ? 1.0 : PER[LENGTH]
-    set ylabel (panel ? L('TIP_ANGLE') : in_units(L('TIP_DEFLECTION'))) offset 1,0
+    set ylabel (panel ? L('TIP_ANGLE') : L('TIP_DEFLECTION')) offset 1,0
     x0 = panel ? 392.0 : 72.0
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 234)/WIDTH
     set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen bottom

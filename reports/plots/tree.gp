@@ -8,8 +8,8 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 FACTS = 'tree'
 load HERE.'style.gp'
 LEVELS = int(number('LEVELS', 0)); P_ROWS = int(number('P_ROWS', 0))
-X_LOW = number('X_LOW', 0); X_HIGH = number('X_HIGH', 0); Y_LOW = number('Y_LOW', 0); Y_HIGH = number('Y_HIGH', 0)
-Z_LOW = number('Z_LOW', 0); Z_HIGH = number('Z_HIGH', 0)
+X_LOW = PER_M*number('X_LOW', 0); X_HIGH = PER_M*number('X_HIGH', 0); Y_LOW = PER_M*number('Y_LOW', 0); Y_HIGH = PER_M*number('Y_HIGH', 0)
+Z_LOW = PER_M*number('Z_LOW', 0); Z_HIGH = PER_M*number('Z_HIGH', 0)
 DATA = DIR.'/plots/tree.dat'
 set datafile separator whitespace
 set datafile nocolumnheaders
@@ -49,8 +49,8 @@ do for [side=0:1] {
     set title (side ? L('SIDE') : L('FRONT')) offset 0,-0.6
     set xlabel (side ? L('TREE_Y') : L('TREE_X')) offset 0,0.4
     if (side) { unset ylabel; set format y '' } else { set ylabel L('TREE_HEIGHT') offset 0.8,0; set format y '%g' }
-    plot for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side+1 using 1:2 with lines lw 0.5 dt 1 lc rgb colour(l), \
-         for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side using 1:2 with filledcurves closed lw 0.3 lc rgb colour(l)
+    plot for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side+1 using (PER_M*$1):(PER_M*$2) with lines lw 0.5 dt 1 lc rgb colour(l), \
+         for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side using (PER_M*$1):(PER_M*$2) with filledcurves closed lw 0.3 lc rgb colour(l)
     x0 = x0 + scale*w + GAP
 }
 # the table: names left, values right of them; levels in their colour

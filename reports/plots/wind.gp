@@ -14,7 +14,7 @@ array COMPONENT[3] = ['along', 'across', 'up']
 WIDTH = 640.0; KEY = COMPONENTS > 1 ? 24.0 : 0.0; HEIGHT = 490.0 + KEY
 stats SPECTRUM using (column("frequency_hz")*column("density_m2_s")) nooutput
 TOP = STATS_max
-stats HISTOGRAM using 1 nooutput
+stats HISTOGRAM using (PER_MS*column(1)) nooutput
 # three or four ticks across the narrow panel
 SPAN = (STATS_max - STATS_min)/3.0; TEN = 10.0**floor(log10(SPAN))
 TICK = SPAN/TEN > 5 ? 5*TEN : SPAN/TEN > 2 ? 2*TEN : TEN
@@ -29,7 +29,7 @@ set title sprintf(L('WIND_FIRST'), MODEL, sprintf('%g', SHOWN)) offset 0,-0.6
 set xrange [0:SHOWN]; set yrange [*:*]
 set xlabel L('TIME'); set ylabel L('WIND_MS') offset 1,0
 unset key
-plot for [c=COMPONENTS:1:-1] SERIES every EVERY using 1:(column(c + 1)) with lines lt c lw 0.8 dt 1
+plot for [c=COMPONENTS:1:-1] SERIES every EVERY using 1:(PER_MS*column(c + 1)) with lines lt c lw 0.8 dt 1
 
 set lmargin at screen 84.0/WIDTH; set rmargin at screen 384.0/WIDTH
 set tmargin at screen 1 - 248.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
@@ -45,9 +45,9 @@ unset logscale; set format xy "%g"
 set lmargin at screen 462.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set title L('HISTOGRAM') offset 0,-0.6
 set xrange [*:*]; set yrange [0:*]
-set xlabel L('WIND_MS'); set ylabel L('SHARE') offset 0,0
+set xlabel L('WIND_MS'); set ylabel sprintf(L('SHARE'), unit('m/s')) offset 0,0
 set xtics TICK
-plot HISTOGRAM using 1:2 with boxes fs solid 0.35 noborder lt 1, HISTOGRAM using 1:3 with lines lt 2
+plot HISTOGRAM using (PER_MS*column(1)):(column(2)/PER_MS) with boxes fs solid 0.35 noborder lt 1, HISTOGRAM using (PER_MS*column(1)):(column(3)/PER_MS) with lines lt 2
 if (KEY > 0) {
     load HERE.'strip.gp'
     plot 2 with lines, for [c=1:COMPONENTS] keyentry with linespoints lt c title L(sprintf('COMPONENT_%d', c))

@@ -27,6 +27,6 @@ unset key
 plot for [i=1:FEW] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("coherence")) with points lt i lw 1, \
      for [i=1:(TARGET ? FEW : 0)] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("target")) with lines lt i
 load HERE.'strip.gp'
-plot 2 with lines, for [i=1:FEW] keyentry with linespoints lt i title sprintf("%g m", APART[i])
+plot 2 with lines, for [i=1:FEW] keyentry with linespoints lt i title typed(APART[i], 'm')
 unset multiplot
 set output

@@ -9,7 +9,7 @@ SECTORS = int(number('SECTORS', 0))
 ROSE = DIR.'/tables/rose.csv'
 WIDTH = 640.0; HEIGHT = 500.0
 array COLOUR[5] = ['#dfe9f2', '#a9c9e2', '#5f9fcf', '#2b6cab', '#0b2f5e']
-above(k) = k == 1 ? L('ROSE_ALL') : sprintf(L('ROSE_ABOVE'), sprintf('%d', 5*(k - 1)))
+above(k) = k == 1 ? L('ROSE_ALL') : sprintf(L('ROSE_ABOVE'), typed(5*(k - 1), 'm/s'))
 stats ROSE using 2 nooutput
 TOP = STATS_max
 TEN = 10.0**floor(log10(TOP/2)); RING = TOP/2/TEN > 5 ? 5*TEN : TOP/2/TEN > 2 ? 2*TEN : TEN

@@ -418,6 +418,23 @@ void wf_print_head(FILE *to, const struct wf_analysis *first)
     wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");
 }
 
+/* The movement of a crown that reaches above its stem. */
+static void print_top(FILE *to, const struct wf_analysis *an)
+{
+    size_t top = wf_top_row(&an->tree);
+    if (an->tree.level[top] == 0) return;
+    wf_show(to, "  the tip is that of the stem; the crown's top, %.4g m high on a %s, moves in the mean wind:\n",
+            an->tree.z1[top], wf_model_level_name(an->model, an->species, an->tree.level[top]));
+    for (size_t i = 0; i < an->n; i++) {
+        wf_show(to, i ? ", " : "    ");
+        if (isfinite(an->at[i].steady.top_deflection))
+            wf_show(to, "%.3g m at %.6g m/s", an->at[i].steady.top_deflection, an->at[i].speed);
+        else
+            wf_show(to, "no equilibrium at %.6g m/s", an->at[i].speed);
+    }
+    wf_show(to, "\n");
+}
+
 void wf_print_speeds(FILE *to, const struct wf_analysis *an)
 {
     wf_show(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
@@ -434,6 +451,7 @@ void wf_print_speeds(FILE *to, const struct wf_analysis *an)
         lost = lost || wf_verdict_safety(&an->at[i], NULL) <= 1;
         print_speed(to, an, &an->at[i], lost);
     }
+    print_top(to, an);
 }
 
 /* A critical speed, or what is known of it. */

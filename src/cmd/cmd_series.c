@@ -101,8 +101,7 @@ static void print_findings_once(const struct wf_diag *diag, size_t runs, bool qu
 {
     struct wf_diag once = { .arena = a };
     for (size_t r = 0; r < runs; r++)
-        for (const struct wf_finding *w = diag[r].first; w; w = w->next)
-            wf_diag_pass(&once, w);
+        for (const struct wf_finding *w = diag[r].first; w; w = w->next) wf_diag_pass(&once, w);
     wf_print_findings(&once, quiet);
 }
 
@@ -149,9 +148,12 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
         wf_stage_item(r + 1, page->n);
         s = wf_explain_run(&x->an, &x->spec.solve, x->spec.speed, a, &diag[r], &made[r], e);
         wf_progress_clear();
-        of[page->explained++] = (struct wf_explained){
-            .run = r + 1, .name = x->spec.name, .of = &made[r], .tree = &x->an.tree, .speed = x->spec.speed
-        };
+        of[page->explained++] = (struct wf_explained){ .run = r + 1,
+                                                       .name = x->spec.name,
+                                                       .species = x->spec.species,
+                                                       .of = &made[r],
+                                                       .tree = &x->an.tree,
+                                                       .speed = x->spec.speed };
     }
     return s;
 }

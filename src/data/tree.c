@@ -326,6 +326,14 @@ size_t wf_tip_row(const struct wf_tree *t)
     return tip;
 }
 
+size_t wf_top_row(const struct wf_tree *t)
+{
+    size_t top = wf_tip_row(t);
+    for (size_t i = 0; i < t->n; i++)
+        if (t->z1[i] > t->z1[top]) top = i;
+    return top;
+}
+
 const char *wf_scope_name(enum wf_scope s)
 {
     static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };

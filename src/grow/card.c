@@ -260,11 +260,13 @@ enum wf_status wf_card_model(const struct wf_card *c, const struct wf_species *s
                              struct wf_model *out, struct wf_err *e)
 {
     if (sp->levels && sp->level[0].wall.n)
-        return wf_fail(
-            e, WF_EINPUT,
-            "%s: its stems are hollow culms, whose form and crown a card of a tree does not describe; "
-            "'windfirm analyze' takes a model of a culm",
-            sp->name);
+        return wf_fail(e, WF_EINPUT,
+                       "%s: its stems are hollow culms, whose form and crown a card of a tree does not "
+                       "describe: no measured "
+                       "law gives a culm's diameter and wall by height, nor its crown's mass "
+                       "(docs/assess.md). 'windfirm "
+                       "analyze', and the column 'scan' of a table, take a model of a culm",
+                       sp->name);
     /* Of 14 European species (BDAT) at 40 cm, wood has 0.60 to 0.90 of the section modulus over bark; 0.80.
      */
     const double usual_bark = 0.07;

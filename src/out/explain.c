@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/explain.h"
+#include "data/species.h"
 #include "out/doc.h"
 #include "out/inputs.h"
 #include <math.h>
@@ -103,6 +104,9 @@ json_t *wf_explain_part(struct wf_doc *d, const struct wf_explained *x)
     json_t *o = wf_doc_object(d);
     wf_doc_count(d, o, "run", x->run);
     wf_doc_text(d, o, "name", x->name);
+    wf_doc_text(d, o, "species", x->species->key);
+    wf_doc_text(d, o, "species_name", x->species->name);
+    wf_doc_text(d, o, "species_zh", x->species->name_zh);
     wf_doc_number(d, o, "speed", x->speed);
     json_t *methods = wf_doc_put(d, o, "methods", wf_doc_array(d));
     for (size_t m = 0; m < of->methods; m++) {

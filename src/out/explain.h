@@ -8,6 +8,7 @@
 struct wf_explained {
     size_t run;       /* number of the run it belongs to */
     const char *name; /* of the tree and its wind, for the heading */
+    const struct wf_species *species;
     const struct wf_explain *of;
     const struct wf_tree *tree;
     double speed;                       /* [m/s] */

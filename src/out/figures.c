@@ -1,10 +1,132 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/figures.h"
+#include "base/num.h"
+#include "base/said.h"
 #include "out/doc.h"
+#include "out/folder.h"
+#include "out/page_units.h"
 #include "out/program.h"
+#include "out/tongue.h"
 #include "out/xml.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+/* ---- What the figures of a page say ---- */
+
+void wf_figures_units(struct wf_plot_data *p, const char *units)
+{
+    char key[40];
+    const struct wf_page_unit *u;
+    for (size_t i = 0; (u = wf_page_unit_row(units, i))->from; i++) {
+        (void)snprintf(key, sizeof key, "UNIT.%.24s", u->from);
+        wf_plot_data_text(p, key, 0, u->to);
+        (void)snprintf(key, sizeof key, "FACTOR.%.24s", u->from);
+        wf_plot_data_number(p, key, 0, u->factor);
+    }
+}
+
+/* Facts that are names, sentences or quantities. */
+static const struct spoken {
+    const char *fact;
+    const char *strings; /* what a name begins with as a key of the strings; NULL: it is a text */
+    const char *column;  /* metric unit of its numbers, "": it stands behind them; NULL: it has none */
+} spoken[] = { { "NAME", NULL, NULL },        { "GROUP", NULL, NULL },   { "TEST", NULL, NULL },
+               { "METHOD", "method.", NULL }, { "LAW", "law.", NULL },   { "MODEL", "gust.", NULL },
+               { "P_VALUE", NULL, "" },       { "L_LENGTH", NULL, "m" }, { "L_DIAMETER", NULL, "mm" },
+               { "LEVEL", NULL, NULL } };
+
+/* A page's language and units. */
+struct speech {
+    const struct wf_tongue *tongue;
+    const char *units;
+};
+
+/* The text of a quoted cell of plot data: its octal escapes are characters. */
+static char *unquoted(const char *cell, struct wf_arena *a)
+{
+    char *text = wf_arena_text(a, cell + 1), *to = text;
+    if (!text) return NULL;
+    for (const char *p = text; *p && *p != '"'; p++) {
+        const char digits[4] = { p[1], p[1] ? p[2] : '\0', p[1] && p[2] ? p[3] : '\0', '\0' };
+        bool escape = *p == '\\' && strlen(digits) == 3 && !digits[strspn(digits, "01234567")];
+        *to++ = escape ? (char)strtoul(digits, NULL, 8) : *p;
+        if (escape) p += 3;
+    }
+    *to = '\0';
+    return text;
+}
+
+/* A fact in the language and the units of a page. */
+static const char *in_words(const struct speech *s, const struct spoken *of, const char *text,
+                            struct wf_arena *a)
+{
+    const char *key = of->strings ? wf_arena_print(a, "%s%s", of->strings, text) : NULL;
+    if (key) {
+        const char *own = wf_tongue_text(s->tongue, key);
+        return own == key ? text : own;
+    }
+    const char *own =
+        wf_tongue_say(s->tongue, &(struct wf_said){ .message = "{1}", .n = 1, .arg = { text } }, a);
+    if (own) text = own;
+    if (!of->column) return text;
+    const struct wf_page_unit *unit = wf_page_unit_find(s->units, of->column, strlen(of->column));
+    return *of->column && !unit ? text : wf_page_units_turned(s->units, text, unit, a);
+}
+
+/* A row that is kept as it is, and below it what the page calls it. */
+static void say_row(struct wf_plot_data *p, const char *row, const struct speech *s, struct wf_arena *a)
+{
+    const char *index = strchr(row, ','), *cell = index ? strchr(index + 1, ',') : NULL;
+    fprintf(p->f.stream, "%s\n", row);
+    if (!cell || cell[1] != '"') return;
+    for (size_t i = 0; i < WF_COUNT(spoken); i++) {
+        char key[40];
+        size_t n = strlen(spoken[i].fact);
+        if ((size_t)(index - row) != n || strncmp(row, spoken[i].fact, n) != 0) continue;
+        char *text = unquoted(cell + 1, a);
+        const char *own = text ? in_words(s, &spoken[i], text, a) : NULL;
+        (void)snprintf(key, sizeof key, "SAID.%s", spoken[i].fact);
+        if (own && strcmp(own, text) != 0) wf_plot_data_text(p, key, strtoul(index + 1, NULL, 10), own);
+    }
+}
+
+/* Is it a row that an earlier page added? */
+static bool added(const char *row)
+{
+    static const char *const begin[] = { "SAID.", "UNIT.", "FACTOR." };
+    for (size_t i = 0; i < WF_COUNT(begin); i++)
+        if (!strncmp(row, begin[i], strlen(begin[i]))) return true;
+    return false;
+}
+
+enum wf_status wf_figures_say(const char *folder, const char *name, const char *units,
+                              const struct wf_tongue *t, struct wf_err *e)
+{
+    char path[WF_PATH_MAX], part[64], *rest = NULL;
+    const struct speech speech = { t, units };
+    struct wf_arena a = { 0 };
+    struct wf_bytes text;
+    struct wf_plot_data p = { 0 };
+    (void)snprintf(part, sizeof part, "plots/%.40s.csv", name);
+    enum wf_status code = wf_folder_path(folder, part, path, e);
+    if (code || access(path, F_OK)) return code;
+    code = wf_file_read_text(path, &a, &text, e);
+    if (!code) code = wf_plot_data_begin(&p, folder, name, e);
+    if (!code) {
+        (void)strtok_r(text.data, "\n", &rest); /* the head */
+        for (char *row; (row = strtok_r(NULL, "\n", &rest));)
+            if (!added(row)) say_row(&p, row, &speech, &a);
+        wf_figures_units(&p, units);
+        code = wf_plot_data_end(&p, e);
+    }
+    wf_file_abandon(&p.f);
+    wf_arena_free(&a);
+    return code;
+}
+
+/* ---- Drawing ---- */
 
 /* Does the file end in </svg>? gnuplot leaves an empty file after an error and an incomplete one on a full
  * disk. */

@@ -6,6 +6,9 @@
 #include "base/err.h"
 #include <libxml/tree.h>
 
+struct wf_plot_data;
+struct wf_tongue;
+
 enum { WF_FIGURES_MAX = 12 }; /* that are drawn by one gnuplot */
 
 /* A picture of a results folder: FOLDER/plots/NAME.svg, drawn by reports/plots/SCRIPT.gp. */
@@ -13,6 +16,15 @@ struct wf_figure {
     const char *name, *script;
     size_t run; /* number of the run it shows, from 1; 0: all, or there is only one */
 };
+
+/* Add the rows UNIT.M and FACTOR.M, for each metric unit M that a system calls otherwise, to plot data. */
+void wf_figures_units(struct wf_plot_data *p, const char *units);
+/* Add to FOLDER/plots/NAME.csv, for reports/plots/facts.gp, what the figures of a page say: its units, and as
+ * SAID.KEY each name in the page's language and each quantity in its units. Those of an earlier page are
+ * replaced; without the file nothing is done. Errors: WF_EINPUT, WF_EOUTPUT, WF_ENOMEM; the file is then as
+ * before. */
+enum wf_status wf_figures_say(const char *folder, const char *name, const char *units,
+                              const struct wf_tongue *t, struct wf_err *e);
 
 /* Draw a figure with gnuplot to the file FOLDER/PICTURE, with labels in a language ("en", "zh"). The picture
  * is an SVG unless its name ends in .png or .pdf. Warnings of gnuplot become one warning `figure-warning` of

@@ -345,6 +345,7 @@ json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const stru
     wf_doc_quantity(d, o, "drag", m->drag, "N", none);
     wf_doc_quantity(d, o, "tip_deflection", m->tip_deflection, "m", none);
     wf_doc_quantity(d, o, "tip_deflection_share", m->tip_deflection / a->tallness, "1", none);
+    wf_doc_quantity(d, o, "top_deflection", m->top_deflection, "m", none);
     wf_doc_quantity(d, o, "tip_angle", m->tip_angle, "rad", none);
     wf_doc_quantity(d, o, "base_shear", m->base_shear, "N", none);
     wf_doc_quantity(d, o, "base_moment", m->base_moment, "N m", none);

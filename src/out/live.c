@@ -31,6 +31,7 @@ static json_t *wind_part(struct wf_doc *d, const json_t *wind, double gust)
     wf_doc_number(d, o, "speed", value_of(wind, "speed"));
     wf_doc_number(d, o, "gust", gust * value_of(wind, "speed"));
     wf_doc_number(d, o, "tip", value_of(json_is_object(mean) ? mean : wind, "tip_deflection"));
+    wf_doc_number(d, o, "top", value_of(json_is_object(mean) ? mean : wind, "top_deflection"));
     wf_doc_number(d, o, "moment", value_of(wind, "base_moment") / 1e3);
     wf_doc_number(d, o, "breakage", value_of(wind, "least_safety"));
     wf_doc_number(d, o, "safety", value_of(wind, "loss_safety"));

@@ -300,7 +300,17 @@ static void put_grouped(FILE *out, double value, int decimals)
     }
 }
 
-/* A number in its new unit, to about the same part of itself as it was shown to, four digits at most. */
+/* Digits of a number as it is shown, without zeros before the first. */
+static int digits_of(const struct found *f)
+{
+    int n = 0;
+    for (size_t i = 0; i < f->wide && f->shown[i] != 'e'; i++)
+        if (isdigit((unsigned char)f->shown[i]) && (n || f->shown[i] != '0')) n++;
+    return n;
+}
+
+/* A number in its new unit, to about the same part of itself as it was shown to: three digits at most, or
+ * four where four were shown. */
 static void put_number(FILE *out, const struct found *f)
 {
     if (!f->unit || f->unit->factor == 1) {
@@ -309,7 +319,7 @@ static void put_number(FILE *out, const struct found *f)
     }
     double value = fabs(f->value * f->unit->factor);
     int places = decimals_of(f) - (int)floor(log10(f->unit->factor) + 0.3),
-        most = value > 0 ? 3 - (int)floor(log10(value)) : 9;
+        most = value > 0 ? (digits_of(f) > 3 ? 3 : 2) - (int)floor(log10(value)) : 9;
     if (most < 0) most = 0;
     if (places > most) places = most;
     if (places < 0) value = round(value * pow(10, places)) / pow(10, places);

@@ -89,7 +89,7 @@ static const struct {
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
       "weight_stress node_spacing strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
-      "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
+      "tip_deflection tip_deflection_share tip_share top top_deflection topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
       "word return_period_bound return_period_by exceedance_a_year_text exceedance_over_life_text "

@@ -53,6 +53,7 @@ struct job {
     json_t *results;
     xmlDoc *document; /* <report lang="en"><results/><css/><figures/></report>, what every stylesheet reads */
     xmlNode *figures;
+    struct wf_tongue *tongue;
     struct wf_printer *printer; /* NULL: no PDF */
     bool docx;
     struct wf_figure *drawn; /* figures of the page by gnuplot; kept for the document alone */
@@ -119,10 +120,8 @@ static enum wf_status read_results(struct job *j)
 /* The texts that the results say themselves. */
 static enum wf_status translate(struct job *j)
 {
-    struct wf_tongue *t;
-    enum wf_status code = wf_tongue_open(j->language, &t, j->e);
-    if (!code) wf_tongue_translate(t, xmlDocGetRootElement(j->document)->children);
-    if (!code) wf_tongue_close(t);
+    enum wf_status code = wf_tongue_open(j->language, &j->tongue, j->e);
+    if (!code) wf_tongue_translate(j->tongue, xmlDocGetRootElement(j->document)->children);
     return code;
 }
 
@@ -284,18 +283,6 @@ static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_e
     return s;
 }
 
-/* The units of the figures, by the numbers that reports/plots/report_facts.gp gives them. */
-static void write_units(struct wf_plot_data *p, const char *units)
-{
-    static const char *const metric[] = { "m/s", "m", "kN m", "MPa", "kN" };
-    for (size_t i = 0; i < sizeof metric / sizeof *metric; i++) {
-        const struct wf_page_unit *u = wf_page_unit_find(units, metric[i], strlen(metric[i]));
-        if (!u) continue;
-        wf_plot_data_text(p, "UNIT", i + 1, u->to);
-        wf_plot_data_number(p, "FACTOR", i + 1, u->factor);
-    }
-}
-
 /* FOLDER/plots/run.csv of a report, from its document: names, wind speeds, range of this run. */
 static enum wf_status write_plot_data(const char *folder, xmlDoc *report, const char *units, struct wf_err *e)
 {
@@ -309,7 +296,7 @@ static enum wf_status write_plot_data(const char *folder, xmlDoc *report, const 
     if (!code) {
         for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
             if (n->type == XML_ELEMENT_NODE) code = plot_row(&p, n, e);
-        write_units(&p, units);
+        wf_figures_units(&p, units);
         if (!code) code = wf_plot_data_end(&p, e);
         wf_file_abandon(&p.f);
     }
@@ -345,6 +332,7 @@ static enum wf_status draw_report(struct job *j)
         g[n++] = (struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 };
     if (json_is_object(json_object_get(first, "directions")))
         g[n++] = (struct wf_figure){ "directions", "directions", 0 };
+    if (tree && wf_figures_say(j->folder, "tree", j->units, j->tongue, j->e)) return j->e->code;
     if (!write_plot_data(j->folder, j->document, j->units, &why)) {
         if (tree && !lines) code = draw_tree(j);
         return code ? code : draw_figures(j, g, n);
@@ -388,8 +376,10 @@ static enum wf_status draw_kind(struct job *j)
 {
     struct wf_figure g[WF_FIGURES_MAX];
     size_t n = 0;
-    if (!j->kind->figure) return draw_listed(j);
     if (j->kind->figure == report_figures) return draw_report(j);
+    enum wf_status code = wf_figures_say(j->folder, "run", j->units, j->tongue, j->e);
+    if (code) return code;
+    if (!j->kind->figure) return draw_listed(j);
     for (; j->kind->figure[n]; n++) g[n] = (struct wf_figure){ j->kind->figure[n], j->kind->figure[n], 0 };
     return draw_figures(j, g, n);
 }
@@ -478,6 +468,7 @@ enum wf_status wf_report_make(const char *folder, const struct wf_page_style *st
     if (!code) code = draw_kind(&j);
     if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);
+    wf_tongue_close(j.tongue);
     json_decref(j.results);
     free(j.drawn);
     return code ? code : j.first;

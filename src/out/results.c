@@ -50,6 +50,7 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
         { "weight", at->weight, "N" },
         { "tip_deflection", at->tip_deflection, "m" },
         { "tip_deflection_share", at->tip_deflection_share, "1" },
+        { "top_deflection", at->top_deflection, "m" },
         { "tip_angle", at->tip_angle, "rad" },
         { "base_shear", at->base_shear, "N" },
         { "base_moment", at->base_moment, "N m" },
@@ -268,6 +269,8 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     wf_doc_put(d, o, "method", wf_part_method(d, a));
     wf_doc_quantity(d, o, "height", a->tallness, "m", NULL);
     wf_doc_count(d, o, "segments", a->tree.n);
+    size_t top = wf_top_row(&a->tree);
+    wf_doc_put(d, o, "top", wf_part_section(d, a, (int32_t)top, 1, a->tree.z1[top]));
     json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &a->at[k]));
     wf_doc_put(d, o, "critical", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));

@@ -310,7 +310,8 @@ static void plot_run(struct wf_plot_data *p, const struct wf_series *s, size_t r
                    { "LEAVES", (double)s->leaves.n },
                    { "STEP", s->spec.step },
                    { "LEVELS", (double)s->levels } };
-    wf_plot_data_text(p, "NAME", run, s->spec.name);
+    bool named = strcmp(s->spec.name, s->spec.species->key) != 0;
+    wf_plot_data_text(p, "NAME", run, named ? s->spec.name : s->spec.species->name);
     for (size_t i = 0; i < sizeof number / sizeof *number; i++)
         wf_plot_data_number(p, number[i].key, run, number[i].x);
     wf_plot_data_text(p, "MOTION", run, s->spec.leaf_motion->name);

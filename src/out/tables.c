@@ -87,10 +87,12 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
           "weight_N,base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,governing_height_m,"
           "critical_wind_m_s,critical_outcome,critical_height_m,"
           "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,"
-          "mean_tip_deflection_m,mean_tip_angle_deg,mean_base_moment_Nm,gust_load_factor," LOSS_HEADS "\n",
+          "mean_tip_deflection_m,mean_tip_angle_deg,mean_base_moment_Nm,gust_load_factor," LOSS_HEADS
+          ",top_height_m,top_deflection_m,mean_top_deflection_m\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
+        double top = a->tree.z1[wf_top_row(&a->tree)];
         for (size_t k = 0; k < a->n; k++) {
             const struct wf_at_speed *at = &a->at[k];
             const struct wf_worst *worst = &at->worst[WF_BREAKAGE][WF_SCOPE_TREE];
@@ -114,6 +116,8 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
                                      at->steady.base_moment, wf_peak_gusts(a->peak, at->speed) };
             cells(f, WF_COUNT(gusts), gusts);
             loss_cells(f, at, a->breaks);
+            const double tops[] = { top, at->status ? NAN : at->top_deflection, at->steady.top_deflection };
+            cells(f, WF_COUNT(tops), tops);
             putc('\n', f);
         }
     }

@@ -46,17 +46,18 @@ static void within_sentence(char *text)
     text[strcspn(text, ",")] = '\0';
 }
 
-/* A row of the catalogue, or the key of a quantity of the strings. */
+/* A row of the catalogue, or of the strings the key of a quantity or of a name that results have. */
 static void add_row(struct wf_tongue *t, const xmlNode *row)
 {
     const xmlNode *own = child(row, t->english ? "en" : "zh");
     if (!xmlStrcmp(row->name, BAD_CAST "m") && !t->english)
         add(t, text_of(child(row, "en"), &t->arena), text_of(own, &t->arena));
-    if (xmlStrcmp(row->name, BAD_CAST "q")) return;
+    bool quantity = !xmlStrcmp(row->name, BAD_CAST "q");
+    if (!quantity && xmlStrcmp(row->name, BAD_CAST "k")) return;
     xmlChar *id = xmlGetProp(row, BAD_CAST "id");
     char *key = id ? wf_arena_text(&t->arena, (const char *)id) : NULL, *text = text_of(own, &t->arena);
     xmlFree(id);
-    if (key && text && t->english) within_sentence(text);
+    if (quantity && key && text && t->english) within_sentence(text);
     add(t, key, text);
 }
 

@@ -4,6 +4,7 @@
 #include "data/model.h"
 #include "study/directions.h"
 #include "study/interval.h"
+#include "study/peak.h"
 #include "study/sway.h"
 #include "study/verdict.h"
 #include "wind/category.h"
@@ -69,7 +70,8 @@ bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc)
     return round;
 }
 
-/* One direction of an analysis that is set up; its sway is that along this wind. */
+/* One direction of an analysis that is set up; its sway is that along this wind. Safeties are of the stem: the
+ * state at the peak of the branches' load is not computed. */
 static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve_options *o, double speed,
                            double azimuth, struct wf_at_speed *at, struct wf_err *e)
 {
@@ -80,6 +82,8 @@ static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve
     an.loads.wind = &an.wind;
     wf_analysis_turned(&an);
     enum wf_status s = wf_sway_set_up(&an, o, &speed, 1, &scratch, NULL, e);
+    struct wf_peak stem = *an.peak;
+    stem.branches = false, an.peak = &stem;
     if (!s) s = wf_speed_totals(&an, o, speed, at, e);
     wf_arena_free(&scratch);
     return s;

@@ -31,6 +31,7 @@ void wf_totals_write(const double v[WF_TOTALS], double tallness, struct wf_at_sp
     at->weight = v[WF_TOTAL_WEIGHT];
     at->tip_deflection = v[WF_TOTAL_DEFLECTION];
     at->tip_deflection_share = v[WF_TOTAL_DEFLECTION] / tallness;
+    at->top_deflection = NAN;
     at->tip_angle = v[WF_TOTAL_ANGLE];
     at->base_shear = v[WF_TOTAL_SHEAR];
     at->base_moment = v[WF_TOTAL_MOMENT];

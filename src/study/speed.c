@@ -16,7 +16,7 @@
 
 /* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
 
-static const struct wf_steady unknown = { NAN, NAN, NAN, NAN, NAN };
+static const struct wf_steady unknown = { NAN, NAN, NAN, NAN, NAN, NAN };
 
 struct totals {
     double air[3]; /* force of the wind on the whole tree [N]       */
@@ -164,19 +164,20 @@ static void end_at(const struct wf_tree *t, const struct wf_response *r, size_t 
     for (size_t k = 0; k < 3; k++) place[k] = drawn[k] + r->end[3 * row + k];
 }
 
-static void totals_fill(const struct wf_analysis *an, const struct totals *all, double tip_deflection,
-                        double tip_angle, struct wf_at_speed *out)
+static void totals_fill(const struct wf_analysis *an, const struct totals *all, struct wf_at_speed *out)
 {
     const double *to = an->wind.direction, *force = out->response.base_force,
                  *moment = out->response.base_moment;
+    const size_t tip = wf_tip_row(&an->tree);
     double across = 0.0;
     out->drag = all->air[0] * to[0] + all->air[1] * to[1] + all->air[2] * to[2];
     for (int k = 0; k < 3; k++) across += pow(all->air[k] - out->drag * to[k], 2.0);
     out->lift = sqrt(across);
     out->weight = all->weight;
-    out->tip_deflection = tip_deflection;
+    out->tip_deflection = norm(out->response.end + 3 * tip);
+    out->top_deflection = norm(out->response.end + 3 * wf_top_row(&an->tree));
     out->tip_deflection_share = out->tip_deflection / an->tallness;
-    out->tip_angle = tip_angle;
+    out->tip_angle = wf_response_slope(&an->tree, &out->response, tip);
     out->base_shear = hypot(force[0], force[1]);
     out->base_moment = hypot(moment[0], moment[1]);
     for (size_t k = 0; k < an->loads.ties; k++) {
@@ -196,7 +197,7 @@ static void totals_fill(const struct wf_analysis *an, const struct totals *all, 
 static void totals_unknown(struct wf_at_speed *out)
 {
     out->drag = out->lift = out->weight = out->tip_deflection = out->tip_deflection_share = NAN;
-    out->tip_angle = out->base_shear = out->base_moment = NAN;
+    out->top_deflection = out->tip_angle = out->base_shear = out->base_moment = NAN;
     out->breakage.largest_stress = NAN;
     out->breakage.largest_stress_row = -1;
     wf_criteria_check(NULL, NULL, NULL, out->worst);
@@ -244,8 +245,7 @@ static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct w
     if (s) return s;
     s = fill_figures(&an->tree, l, &out->response, an->wind.direction,
                      an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
-    size_t tip = wf_tip_row(&an->tree);
-    if (!s) totals_fill(an, &totals, out->figures.deflection[tip], out->figures.slope[tip], out);
+    if (!s) totals_fill(an, &totals, out);
     return s;
 }
 
@@ -267,7 +267,6 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     const struct wf_tree *t = &an->tree;
     const struct wf_response *r = &out->response;
     struct totals totals = { 0 };
-    size_t tip = wf_tip_row(t);
     if (l->line) return fill_at_speed(an, l, like, a, out, e);
     enum wf_status s = fill_stresses(an, like, a, out, e);
     if (s) return s;
@@ -277,7 +276,7 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
         totals.air[2] += weight;
         totals.weight += weight + (t->mass1 ? t->mass1[i] * l->gravity * l->weight_scale : 0.0);
     }
-    totals_fill(an, &totals, norm(r->end + 3 * tip), wf_response_slope(t, r, tip), out);
+    totals_fill(an, &totals, out);
     return WF_OK;
 }
 
@@ -417,7 +416,8 @@ void wf_speed_take_branches(const struct wf_analysis *an, const struct wf_at_spe
 
 static struct wf_steady steady_of(const struct wf_at_speed *at)
 {
-    return (struct wf_steady){ at->drag, at->tip_deflection, at->tip_angle, at->base_shear, at->base_moment };
+    return (struct wf_steady){ at->drag,      at->tip_deflection, at->top_deflection,
+                               at->tip_angle, at->base_shear,     at->base_moment };
 }
 
 enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,

@@ -31,7 +31,7 @@ struct wf_figures {
 
 /* Totals of the state in the mean wind alone, without gusts; NAN: no equilibrium. */
 struct wf_steady {
-    double drag, tip_deflection, tip_angle, base_shear, base_moment; /* as struct wf_at_speed */
+    double drag, tip_deflection, top_deflection, tip_angle, base_shear, base_moment; /* as wf_at_speed */
 };
 
 /* One wind speed. The results are those of the peak of the load (study/peak.h), of stem and branches each at
@@ -47,6 +47,7 @@ struct wf_at_speed {
     double drag, lift, weight;      /* whole tree [N] */
     double tip_deflection;          /* horizontal and vertical together [m], of the stem's highest point */
     double tip_deflection_share;    /* of tree height [-] */
+    double top_deflection;          /* of the crown's top (wf_top_row) [m]; NAN where interpolated */
     double tip_angle;               /* between unloaded and loaded axis at the stem tip [rad] */
     double base_shear, base_moment; /* [N], [N m] */
     double tie[WF_TIES_MAX];        /* forces in the cables that hold the tree [N] */

@@ -170,7 +170,8 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
     at->tip_deflection_share = at->tip_deflection / height;
     at->base_shear = force, at->base_moment = b->bending0[0];
     at->steady =
-        (struct wf_steady){ at->drag, at->tip_deflection, at->tip_angle, at->base_shear, at->base_moment };
+        (struct wf_steady){ at->drag,      at->tip_deflection, at->top_deflection,
+                            at->tip_angle, at->base_shear,     at->base_moment };
     if (isinf(worst->safety)) worst->row = -1;
     if (!rows) memset(g, 0, sizeof *g);
 }
