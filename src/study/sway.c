@@ -105,14 +105,15 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
 
 static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
 
-/* Add the sway at a speed. Returned: whether the tree has a state in that mean wind. */
-static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed)
+/* Add the sway at a speed. Given: the next one. Returned: whether the tree has a state in that mean wind. */
+static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed,
+                     double next)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     struct wf_modes_sway m;
     struct wf_err why = { 0 };
-    const struct wf_track_start near = { .alone = true };
+    const struct wf_track_start near = { .alone = next > WF_TRACK_NEAR * speed };
     double *shape = WF_TAKE(&scratch, 3 * an->tree.n, double);
     enum wf_status s =
         shape ? wf_speed_track(an, WF_PART_MEAN, track, speed, &near, &scratch, &r, &why) : WF_ENOMEM;
@@ -186,7 +187,7 @@ static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
-        if (!add_sway(an, p, track, at[i])) break;
+        if (!add_sway(an, p, track, at[i], i + 1 < k ? at[i + 1] : INFINITY)) break;
     wf_track_close(track);
     wf_peak_sways_take(p);
     return WF_OK;
