@@ -199,6 +199,7 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:text>f.</xsl:text><xsl:value-of select="@name"/>
+          <xsl:if test="@name = 'stem' and count($trees) = 1">.one</xsl:if>
           <xsl:if test="@name = 'safety'">
             <xsl:choose>
               <xsl:when test="not($trees/winds/item/*[self::least_safety or self::loss_safety]/value != '')">.none</xsl:when>

@@ -187,8 +187,8 @@
   <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.shelter</xsl:with-param></xsl:call-template>
   <xsl:call-template name="inputs"/>
   <xsl:call-template name="slabs"/>
-  <xsl:call-template name="figure"><xsl:with-param name="name">shelter_slabs</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure"><xsl:with-param name="name">shelter_wind</xsl:with-param></xsl:call-template>
+  <xsl:call-template name="figure"><xsl:with-param name="name">shelter_slabs</xsl:with-param></xsl:call-template>
   <xsl:if test="$r/moved/passes">
     <xsl:call-template name="figure"><xsl:with-param name="name">shelter_motion</xsl:with-param></xsl:call-template>
     <xsl:call-template name="thirds"/>

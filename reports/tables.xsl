@@ -191,7 +191,8 @@
       </xsl:otherwise>
     </xsl:choose>
   </table>
-  <table class="data whole">
+  <table>
+    <xsl:attribute name="class">data<xsl:if test="count($trees) = 1"> whole</xsl:if></xsl:attribute>
     <xsl:call-template name="table-caption">
       <xsl:with-param name="n" select="2"/>
       <xsl:with-param name="text">

@@ -95,6 +95,7 @@ static void catalogue(void **state)
     static const struct row rows[] = {
         { "python3 tests/tongue.py formats", CODE_OK, { " 0 missing" } },
         { "python3 tests/tongue.py notes", CODE_OK, { " 0 missing" } },
+        { "python3 tests/tongue.py terminal", CODE_OK, { " 0 missing" } },
     };
     CHECK(rows);
 }
@@ -111,6 +112,30 @@ static void terminal(void **state)
         { "$W assess models/cards/oak.yaml",
           CODE_OK,
           { "critical wind: ", "these values are assumptions, not measurements: stem: shear_modulus" } },
+    };
+    CHECK(rows);
+}
+
+/* The tables of the other commands: heads, names of species and sentences; and the check finds English where it is. */
+static void tables_of_the_terminal(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "for c in 'analyze scots_pine --model scots_pine --soil mineral --wind 10,20 --directions 8 --samples "
+          "0' 'compare oak moso_bamboo --model culm --wind 10,25 --samples 32' 'explain oak --model culm "
+          "--wind 8' 'series oak --model culm --wind 8 --duration 2 --step 0.5 --keys 2 --gust cosine "
+          "--no-vtk' 'modes oak --model culm --wind 0,10' 'fragility oak --model culm --samples 20'; do "
+          "$W $c --lang zh --no-report -o $T/out 2>/dev/null; done >$T/said; for c in 'fit "
+          "models/field/sample_pull.yaml --no-rival' 'terrain --size 3 --relief 20' 'rain --staged "
+          "--duration 2' 'wind kaimal --duration 30 --points 2' 'wind extremes --annual "
+          "docs/examples/annual.csv' 'wind rose --file docs/examples/rose.csv'; do $W $c --lang zh "
+          "--no-pdf -o $T/out 2>/dev/null; done >>$T/said; python3 tests/tongue.py said <$T/said; grep -c -e "
+          "梢端位移 -e 重现期 -e '欧洲赤松 (' -e 相邻相关 -e 限距 -e 水量 -e 顺风标准差 -e 对数正态 -e 梢端平均 $T/said",
+          CODE_OK,
+          { " 0 missing\n1" } },
+        { "$W modes oak --model culm --wind 10 --no-report -o $T/out 2>/dev/null | python3 tests/tongue.py said",
+          CODE_RUN,
+          { "missing: Modes about the state" } },
     };
     CHECK(rows);
 }
@@ -182,6 +207,7 @@ int main(void)
         cmocka_unit_test(sentences),
         cmocka_unit_test(catalogue),
         cmocka_unit_test(terminal),
+        cmocka_unit_test(tables_of_the_terminal),
         cmocka_unit_test(pages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

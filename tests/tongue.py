@@ -3,6 +3,8 @@
 
 tongue.py formats            every warning's format in src, and every placeholder of a translation
 tongue.py notes              every clause of the notes of species tables, and names and notes of tree models
+tongue.py terminal            every format that the commands which compute print
+tongue.py said                English sentences in what a command printed, on the standard input
 tongue.py pages PAGE.html... words of Latin letters in Chinese pages that are no names, citations, units, keys or files
 Prints what is missing, and a last line with the number of texts that were looked at. Exit code 1 where something is missing."""
 import glob
@@ -41,6 +43,21 @@ def formats():
             text = literal(source, call.end())
             if text and text != '%s' and '%s: %s%s%s' not in text:
                 found.append(numbered(CONVERSION, text))
+    return found
+
+
+def printed():
+    """Formats of wf_show with words in them; what comes before it or behind is no part of a text of the catalogue."""
+    found = []
+    for name in glob.glob('src/cmd/analyze_*.c') + glob.glob('src/cmd/print_*.c') + glob.glob('src/cmd/assess_*.c') + [
+            'src/cmd/cmd_%s.c' % c for c in ('analyze', 'assess', 'explain', 'extremes', 'fit', 'fragility', 'modes', 'rain', 'series',
+                                             'shelter', 'terrain', 'wind')]:
+        source = open(name, encoding='utf-8').read()
+        for call in re.finditer(r'\bwf_show\(\s*[^,]+,', source):
+            text = literal(source, call.end())
+            plain = numbered(CONVERSION, text) if text else ''
+            if re.search('[A-Za-z]{2}', re.sub(r'\{\d+\}', '', plain)):
+                found.append(plain if plain in CATALOGUE else plain.strip(' \n'))
     return found
 
 
@@ -100,10 +117,13 @@ def pages(names):
 
 def main():
     kind = sys.argv[1]
-    if kind == 'pages':
+    if kind == 'said':
+        lines = [re.sub(r'\([A-Z][^()]*\)', ' ', line) for line in sys.stdin]
+        found, missing = len(lines), [line.strip() for line in lines if SENTENCE.search(line)]
+    elif kind == 'pages':
         found, missing = pages(sys.argv[2:])
     else:
-        texts = formats() if kind == 'formats' else notes()
+        texts = formats() if kind == 'formats' else printed() if kind == 'terminal' else notes()
         found, missing = len(texts), [t for t in texts if t not in CATALOGUE]
     if kind == 'formats':
         for english, own in CATALOGUE.items():

@@ -8,7 +8,7 @@ load HERE.'style.gp'
 load HERE.'report_facts.gp'
 AROUND = DIR.'/tables/directions.csv'
 KEY = 12.0 + 18*(trees == 1 ? 1 : KEY_ROWS)
-WIDTH = 640.0; HEIGHT = 340.0 + KEY
+WIDTH = 640.0; HEIGHT = 280.0 + KEY
 U = number('WIND_LAST', 0)
 load HERE.'start.gp'
 set multiplot

@@ -9,7 +9,7 @@ load HERE.'style.gp'
 METHODS = int(number('METHODS', 0)); FIRST = int(number('FIRST', 0)); EXPLAIN_LEVELS = int(number('EXPLAIN_LEVELS', 0))
 LOW = number('LOW', 0); HIGH = number('HIGH', 0)
 EXPLAIN = DIR.'/tables/explain.csv'
-WIDTH = 640.0; KEY = 24.0 + 20.0*ceil(METHODS/3.0); HEIGHT = 330.0 + KEY
+WIDTH = 640.0; KEY = 24.0 + 20.0*ceil(METHODS/3.0); HEIGHT = 270.0 + KEY
 set linetype 7 lc rgb '#000000' pt 2 ps 0.7
 load HERE.'start.gp'
 set multiplot

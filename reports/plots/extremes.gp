@@ -7,7 +7,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 LEVELS = DIR.'/tables/extremes.csv'; YEARS = DIR.'/tables/annual.csv'; CURVE = DIR.'/plots/extremes_curve.csv'
 SAMPLE = number('SAMPLE', 0); END = number('END', 0); WINDS = int(number('WINDS', 0))
-WIDTH = 640.0; HEIGHT = 340.0
+WIDTH = 640.0; HEIGHT = 240.0
 load HERE.'start.gp'
 set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen 52.0/HEIGHT
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 626.0/WIDTH

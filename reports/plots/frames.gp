@@ -47,8 +47,8 @@ LINES = ceil(PANELS/(1.0*COLUMNS))
 WIDTH = 640.0
 # the same scale both ways
 WIDE = (WIDTH - 66)/COLUMNS - 10; TALL = WIDE*top/(high - low)
-most = LINES == 2 ? 154.0 : 560.0/LINES - 46;   # of two lines two figures go on a page
-most = most > 330 ? 330.0 : most
+most = LINES == 2 ? 132.0 : (LINES > 2 ? 400.0 : 420.0)/LINES - 46;   # of two lines two figures go on a page
+most = most > 300 ? 300.0 : most
 if (TALL > most) { TALL = most }
 WIDE = TALL/top*(high - low)
 HEIGHT = LINES*(TALL + 46) + 26

@@ -8,7 +8,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
 KEY = 12.0 + 18*KEY_ROWS
-WIDTH = 640.0; ABOVE = 32.0; HEIGHT = 344.0 + KEY
+WIDTH = 640.0; ABOVE = 32.0; HEIGHT = 264.0 + KEY
 load HERE.'start.gp'
 safety_of(n) = LOSS_KNOWN[nth(STRONG, n)] ? "tree_safety" : "least_safety"
 set multiplot

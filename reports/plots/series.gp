@@ -10,7 +10,7 @@ SERIES = DIR.'/tables/series.csv'
 MOVING = ""
 do for [r=1:RUNS] { if (FRAMES[r] > 1) { MOVING = MOVING.r." " } }
 WIDTH = 640.0; KEY = 30.0 + 17.0*ceil(words(MOVING)/2.0)
-ROW = 140.0; HEIGHT = 2*(ROW + 12) + 52 + KEY
+ROW = 112.0; HEIGHT = 2*(ROW + 12) + 52 + KEY
 of(r) = column("run") == r
 SPAN = 0.0
 do for [r=1:RUNS] { SPAN = FRAMES[r]*STEP[r] > SPAN && FRAMES[r] > 1 ? FRAMES[r]*STEP[r] : SPAN }

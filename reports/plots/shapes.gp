@@ -43,9 +43,9 @@ floor = floor < 0 ? 1.03*floor : 0
 LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = winds > 3 ? 50.0 : 30.0
 wide_of(c) = (640.0 - LEFT - 12 - GAP*(c-1))/c
 rows_of(c) = (trees + c - 1)/c
-high_of(c) = (HIGH_C = 480.0/rows_of(c) - TITLE - UNDER, HIGH_C < 110 ? 110.0 : HIGH_C > 330 ? 330.0 : HIGH_C)
+high_of(c) = (HIGH_C = 420.0/rows_of(c) - TITLE - UNDER, HIGH_C < 110 ? 110.0 : HIGH_C > 300 ? 300.0 : HIGH_C)
 lesser(a, b) = a < b ? a : b
-scale_of(c) = lesser(wide_of(c)/(high - low), (trees == 1 ? 262.0 : high_of(c))/(top - floor))
+scale_of(c) = lesser(wide_of(c)/(high - low), (trees == 1 ? 210.0 : high_of(c))/(top - floor))
 columns = 1
 do for [c=2:(trees < 4 ? trees : 4)] { columns = scale_of(c) > 1.02*scale_of(columns) ? c : columns }
 rows = rows_of(columns)

@@ -16,8 +16,8 @@ SPREAD = RIGHT - LEFTMOST
 LEFTMOST = LEFTMOST - 0.04*SPREAD; RIGHT = RIGHT + 0.04*SPREAD
 WIDTH = 640.0
 PANEL = 262.0
-TREE = PANEL*TOPMOST*1.04/(RIGHT - LEFTMOST); TREE = TREE > 330 ? 330.0 : TREE < 120 ? 120.0 : TREE
-HEIGHT = TREE + 322.0
+TREE = PANEL*TOPMOST*1.04/(RIGHT - LEFTMOST); TREE = TREE > 128 ? 128.0 : TREE < 120 ? 120.0 : TREE
+HEIGHT = TREE + 302.0
 load HERE.'start.gp'
 set multiplot
 unset key; unset grid
@@ -49,7 +49,7 @@ array OPENC[2] = ["wind_open_ms", "swing_open_m"]; array OWNC[2] = ["wind_own_ms
 do for [i=1:2] {
     x0 = 50.0 + (i - 1)*(PANEL + 48.0)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + PANEL)/WIDTH
-    set tmargin at screen 1 - Y0/HEIGHT; set bmargin at screen 1 - (Y0 + 130.0)/HEIGHT
+    set tmargin at screen 1 - Y0/HEIGHT; set bmargin at screen 1 - (Y0 + 110.0)/HEIGHT
     set title WHAT[i] offset 0,-0.6
     plot TIPTABLE using (column("depth_share")):(PER_END[i]*column(OPENC[i])) with points pt 6 ps 0.5 lc rgb '#D55E00', \
          TIPTABLE using (column("depth_share")):(PER_END[i]*column(OWNC[i])) with points pt 7 ps 0.35 lc rgb '#0072B2'

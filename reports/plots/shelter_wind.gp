@@ -10,11 +10,11 @@ FRONT = PER_M*number('FRONT', 0); CUT_UP = number('CUT_UP', 0); CUT_ACROSS = num
 LEVEL = DIR.'/tables/cut_level.csv'
 UPRIGHT = DIR.'/tables/cut_upright.csv'
 WIDTH = 640.0
-LONG = 500.0
+LONG = 216.0; APART = 296.0   # the two cuts side by side, on one scale of colours
 FROM = FRONT - 0.15*DEPTH; LENGTH = 2.1*DEPTH
-fit(h) = h > 300 ? 300.0 : h < 70 ? 70.0 : h
+fit(h) = h > 196 ? 196.0 : h < 70 ? 70.0 : h
 H1 = fit(LONG*WIDE/LENGTH); H2 = fit(LONG*TALL/LENGTH)
-HEIGHT = H1 + H2 + 150.0
+TALLER = H1 > H2 ? H1 : H2; HEIGHT = TALLER + 100.0
 stats LEVEL using (column("ratio")) nooutput
 LOW = STATS_min; HIGH = STATS_max
 stats UPRIGHT using (column("ratio")) nooutput
@@ -31,12 +31,12 @@ set palette defined (-1 '#053061', -0.5 '#4393c3', 0 '#f7f7f7', 0.5 '#d6604d', 1
 if (FASTER) { set cbrange [1-SPAN:1+SPAN] } else { set palette defined (-1 '#053061', -0.5 '#4393c3', 0 '#f7f7f7'); set cbrange [1-SPAN:1] }
 set xrange [FROM:FROM+LENGTH]
 do for [i=1:2] {
-    y0 = i == 1 ? 26.0 : H1 + 82.0
-    set lmargin at screen 58.0/WIDTH; set rmargin at screen (58.0 + LONG)/WIDTH
+    y0 = 44.0; x0 = 58.0 + (i - 1)*APART
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + LONG)/WIDTH
     set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT
-    set colorbox vertical user origin (58.0 + LONG + 10)/WIDTH, 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT size 10.0/WIDTH, (i == 1 ? H1 : H2)/HEIGHT
-    set title (i == 1 ? sprintf(L('CUT_LEVEL'), LAW, three(CUT_UP, 'm')) : sprintf(L('CUT_UPRIGHT'), three(CUT_ACROSS, 'm'))) offset 0,-0.6
-    set xlabel (i == 1 ? "" : L('ALONG_M')) offset 0,0.4
+    if (i == 1) { unset colorbox } else { set colorbox vertical user origin (x0 + LONG + 10)/WIDTH, 1 - (y0 + H2)/HEIGHT size 10.0/WIDTH, H2/HEIGHT }
+    set title two_lines((i == 1 ? sprintf(L('CUT_LEVEL'), LAW, three(CUT_UP, 'm')) : sprintf(L('CUT_UPRIGHT'), three(CUT_ACROSS, 'm'))), LONG + 40) offset 0,-0.6
+    set xlabel L('ALONG_M') offset 0,0.4
     set arrow 1 from first FRONT, graph 0 to first FRONT, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
     set arrow 2 from first FRONT+DEPTH, graph 0 to first FRONT+DEPTH, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
     if (i == 1) {

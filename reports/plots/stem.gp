@@ -6,12 +6,14 @@ LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
-columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
+# of one tree moment and stress side by side, of more the moment above
+columns = trees == 1 ? 2 : trees < 5 ? trees : 3
+below = trees > 1
 blocks = (trees + columns - 1)/columns
 LEFT = 58.0; GAP = 24.0; TITLE = 24.0; UNDER = 54.0; KEY = 30.0
 w = (640.0 - LEFT - 14 - GAP*(columns-1))/columns
-h = blocks == 1 ? 160.0 : 110.0
-WIDTH = 640.0; HEIGHT = blocks*(TITLE + 2*(h + UNDER)) + KEY
+h = trees == 1 ? 180.0 : blocks == 1 ? 140.0 : 110.0
+WIDTH = 640.0; HEIGHT = blocks*(TITLE + (1 + below)*(h + UNDER)) + KEY
 
 moment = 0.0; stress = 0.0; top = 0.0
 array TIP[trees]
@@ -34,14 +36,15 @@ load HERE.'start.gp'
 set multiplot
 set yrange [0:1.03*PER[LENGTH]*top]; set ytics autofreq
 do for [i=1:trees] {
-    c = (i-1)%columns; b = (i-1)/columns
-    x0 = LEFT + c*(w + GAP)
-    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
-    if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    b = below ? (i-1)/columns : 0
     do for [panel=0:1] {
-        y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - panel*(h + UNDER)
+        c = below ? (i-1)%columns : panel
+        x0 = LEFT + c*(w + GAP)
+        set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
+        if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+        y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - below*panel*(h + UNDER)
         set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
-        if (panel) { unset title } else { set title short(NAME[i], trees == 1 ? 560 : w + GAP) offset 0,-0.5 }
+        if (panel) { unset title } else { set title short(NAME[i], w + GAP) offset 0,-0.5 }
         set xlabel (panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
         A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
         unit = panel ? PER[STRESS] : 1e-3*PER[MOMENT]

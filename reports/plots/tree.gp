@@ -25,7 +25,7 @@ fw = wide(X_LOW, X_HIGH) + 2*margin; sw = wide(Y_LOW, Y_HIGH) + 2*margin
 WIDTH = 640.0; LEFT = 52.0; GAP = 26.0; TABLE = 252.0; TITLE = 26.0; UNDER = 52.0; LINE = 15.5
 room = WIDTH - LEFT - GAP - TABLE
 scale = room/(fw + sw)
-scale = scale*(tall + margin) > 330 ? 330/(tall + margin) : scale
+scale = scale*(tall + margin) > 260 ? 260/(tall + margin) : scale
 h = scale*(tall + margin)
 least = LINE*(P_ROWS + LEVELS + 3)
 h = h < 160 ? 160 : h

@@ -423,7 +423,8 @@ static void print_top(FILE *to, const struct wf_analysis *an)
 {
     size_t top = wf_top_row(&an->tree);
     if (an->tree.level[top] == 0) return;
-    wf_show(to, "  the tip is that of the stem; the crown's top, %.4g m high on a %s, moves in the mean wind:\n",
+    wf_show(to,
+            "  the tip is that of the stem; the crown's top, %.4g m high on a %s, moves in the mean wind:\n",
             an->tree.z1[top], wf_model_level_name(an->model, an->species, an->tree.level[top]));
     for (size_t i = 0; i < an->n; i++) {
         wf_show(to, i ? ", " : "    ");
@@ -486,7 +487,7 @@ static void print_tornado(FILE *to, const struct wf_interval *i)
 {
     enum { SHOWN = 3 };
     bool shown[WF_VARIED_MAX] = { false };
-    char range[80];
+    char range[80], key[80];
     const char *before = "  most of it by ";
     for (size_t n = 0; n < SHOWN && n < i->variation.n; n++) {
         size_t best = 0;
@@ -496,7 +497,8 @@ static void print_tornado(FILE *to, const struct wf_interval *i)
         const struct wf_varied *v = &i->variation.varied[best];
         shown[best] = true;
         if (!wf_interval_arm_text(i, best, range, sizeof range)) continue;
-        wf_show(to, "%s%s%s (%s)", before, wf_varied_prefix(v), v->name, range);
+        (void)snprintf(key, sizeof key, "%s%s", wf_varied_prefix(v), v->name);
+        wf_show(to, "%s%s (%s)", before, key, range);
         before = "; ";
     }
     if (*before == ';') wf_show(to, "\n");

@@ -103,6 +103,7 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
         next = (struct wf_err){ 0 };
         enum wf_status s = wf_shipped("species", w->options.args.operand[k], &w->arena, &path, &d, &next);
         if (!s) s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
+        if (!s) wf_show_name(w->species[k].name, w->species[k].name_zh);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
         if (!s && (s = note_input(w, "species", path, e))) return s;

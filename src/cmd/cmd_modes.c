@@ -77,7 +77,9 @@ static const char *leaves_said(const struct wf_mode_block *b)
 static void print_block(const struct wf_mode_block *b)
 {
     const char *leaves = leaves_said(b);
-    wf_show(stdout, "\nW%s, ", leaves + 1);
+    char whose[32];
+    (void)snprintf(whose, sizeof whose, "W%s", leaves + 1); /* at the beginning of a line */
+    wf_show(stdout, "\n%s, ", whose);
     if (b->water > 0) wf_show(stdout, "%.3g mm of rain on them, ", b->water);
     if (b->speed > 0.0)
         wf_show(stdout, "mean wind %.4g m/s\n", b->speed);

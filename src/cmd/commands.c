@@ -148,7 +148,9 @@ enum wf_status wf_species_named(const char *name, struct wf_arena *a, struct wf_
 {
     const char *path;
     enum wf_status s = wf_shipped("species", name, a, &path, d, e);
-    return s ? s : wf_species_read(path, &wf_laws, a, out, d, e);
+    if (!s) s = wf_species_read(path, &wf_laws, a, out, d, e);
+    if (!s) wf_show_name(out->name, out->name_zh);
+    return s;
 }
 
 enum wf_status wf_model_named(const char *name, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,

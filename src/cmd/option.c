@@ -109,6 +109,11 @@ void wf_show_language(const char *language)
     (void)atexit(fall_silent);
 }
 
+void wf_show_name(const char *name, const char *own)
+{
+    if (spoken) wf_tongue_name(spoken, name, own);
+}
+
 char *wf_show_words(const struct wf_said *said, struct wf_arena *a)
 {
     return spoken && said ? wf_tongue_say(spoken, said, a) : NULL;

@@ -186,6 +186,8 @@ void wf_show_in(const char *system);
 const char *wf_show_units(void);
 /* Say what has a translation (out/tongue.h) in a language from now on: "zh"; "en" changes nothing. */
 void wf_show_language(const char *language);
+/* A species' name in that language; NULL: it has none. To be called before the first thread is started. */
+void wf_show_name(const char *name, const char *own);
 struct wf_said;
 /* A sentence by parts in the language that is set. Returned: NULL in English, without a translation or
  * memory. */

@@ -318,8 +318,8 @@ static enum wf_status document(const struct wf_shelter_run *r, const struct wf_d
     if (r->moved) wf_doc_put(&d, o, "moved", moved_part(&d, r));
     wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), diag);
     list = wf_doc_put(&d, o, "figures", wf_doc_array(&d));
-    wf_doc_figure(&d, list, "shelter_slabs", "shelter_slabs", 0);
     wf_doc_figure(&d, list, "shelter_wind", "shelter_wind", 0);
+    wf_doc_figure(&d, list, "shelter_slabs", "shelter_slabs", 0);
     if (r->moved) wf_doc_figure(&d, list, "shelter_motion", "shelter_motion", 0);
     return wf_doc_end(&d, o, r->folder, e);
 }
