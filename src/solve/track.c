@@ -162,8 +162,6 @@ static struct station *near_station(struct wf_track *k, double speed, double nea
     return s && apart(s->speed, speed) <= log(near) ? s : NULL;
 }
 
-static const double near = 1.4; /* ratio of two speeds */
-
 /* Let the last solution be the one nearest to a speed: where it is nearer than `own` (NULL: any near one).
  * false: none is. */
 static bool recall(struct wf_track *k, double speed, const struct station *own)
@@ -375,7 +373,7 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
 {
     const double power = 1.5, to = wind_of(l);
     const struct station *s = nearest_station(k, to);
-    bool close = near_station(k, to, near);
+    bool close = near_station(k, to, WF_TRACK_NEAR);
     if (start->other && recall(start->other, to, close ? s : NULL)) {
         wf_beam_carry(&start->other->beam, &k->beam);
         keep(k, k->last);
@@ -487,7 +485,7 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     if (s) return s;
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
-    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), near)), done = false;
+    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), WF_TRACK_NEAR)), done = false;
     if (on && side && !start->alone) s = solve_soon(k, l, side, start, a, out, &done, e);
     if (s) return s;
     if (!done) s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);

@@ -105,15 +105,16 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
 
 static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
 
-/* Add the sway at a speed, with its shape (3n). Returned: whether the tree has a state in that mean wind. */
+/* Add the sway at a speed, with its shape (3n). Given: the next speed. Returned: whether the tree has a state
+ * in that mean wind. */
 static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed,
-                     double *shape)
+                     double next, double *shape)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     struct wf_modes_sway m;
     struct wf_err why = { 0 };
-    const struct wf_track_start near = { .alone = true };
+    const struct wf_track_start near = { .alone = next > WF_TRACK_NEAR * speed };
     enum wf_status s = wf_speed_track(an, WF_PART_MEAN, track, speed, &near, &scratch, &r, &why);
     bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, &m, shape, &why);
     if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
@@ -191,7 +192,7 @@ static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
-        if (!add_sway(an, p, track, at[i], i ? shape : first)) break;
+        if (!add_sway(an, p, track, at[i], i + 1 < k ? at[i + 1] : INFINITY, i ? shape : first)) break;
     wf_track_close(track);
     wf_peak_sways_take(p);
     if (p->sways && at[0] == 0.0) p->still = first;
