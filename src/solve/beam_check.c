@@ -30,8 +30,14 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
     wf_beam_links_carry(coarse, fine);
     for (size_t i = 0; i < fine->mesh.tree->n; i++) {
         int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
+        const bool same = wf_beam_pieces(&coarse->mesh, i) == cut;
         for (int32_t k = 0; k < cut; k++) {
             double base[9], at[9], R[9];
+            if (same) {
+                memcpy(fine->shape[from + k].v, coarse->shape[coarse->mesh.first[i] + k].v,
+                       sizeof fine->shape->v);
+                continue;
+            }
             beam_rotation_at(coarse, i, (double)k / cut, base);
             for (int j = 0; j < 2; j++) {
                 beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
