@@ -71,6 +71,7 @@ static void two_bars(void **state)
         double pull = link.stiffness * (6 + 2 * high * sin(low) - link.length);
         assert_close(pull_of(&c, &link, force), pull, 1e-7);
         assert_close(force[0], pull, 1e-7);
+        assert_close(c.out.link[0], pull, 1e-7);
         assert_close(c.out.end[3], high * sin(low), 1e-7);
         assert_close(c.out.end[0], -high * sin(low), 1e-7);
         assert_close(c.out.moment0[1], -hinge * low, 1e-6);
@@ -359,6 +360,42 @@ static void tangent(void **state)
     assert_true(tried > 12);
 }
 
+/* Links however stiff: their forces come to those of links that do not stretch. */
+static void stiff(void **state)
+{
+    (void)state;
+    size_t found = 0, most = 0;
+    for (uint64_t seed = 0; seed < 40; seed++) {
+        double pull[3][3] = { { 0 } };
+        bool all = true;
+        for (int q = 0; q < 3; q++) {
+            struct beam_case c;
+            struct wf_link link[3];
+            tangle(&c, seed, 20 + 4 * seed, link);
+            c.options.inextensible = false;
+            c.options.tolerance = 1e-9, c.options.mesh_tolerance = 1e-5;
+            for (int k = 0; k < 3; k++) {
+                link[k].length /= k == 1 ? 1.01 : 0.98; /* as drawn */
+                link[k].stiffness = 1e5 * pow(100, q);
+            }
+            if (beam_try(&c, &wf_solver_beam))
+                all = false;
+            else
+                memcpy(pull[q], c.out.link, sizeof pull[q]);
+            most = c.out.iterations > most ? c.out.iterations : most;
+            beam_free(&c);
+        }
+        found += all;
+        for (int k = 0; k < 3 && all; k++) {
+            double size = fmax(fabs(pull[2][0]), fmax(fabs(pull[2][1]), fabs(pull[2][2])));
+            if (!(fabs(pull[2][k] - pull[1][k]) < 0.02 * size + 0.02))
+                fail_msg("tree %d, link %d: %g %g %g N", (int)seed, k, pull[0][k], pull[1][k], pull[2][k]);
+        }
+    }
+    printf("%zu of 40 trees, at most %zu iterations\n", found, most);
+    assert_true(found >= 36);
+}
+
 /* A cable that is slack changes no byte. */
 static void slack(void **state)
 {
@@ -575,9 +612,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_bars),      cmocka_unit_test(dense_solution), cmocka_unit_test(v_of_cantilevers),
         cmocka_unit_test(superposition), cmocka_unit_test(energy),         cmocka_unit_test(tangent),
-        cmocka_unit_test(slack),         cmocka_unit_test(symmetry),       cmocka_unit_test(same_bytes),
-        cmocka_unit_test(inertia),       cmocka_unit_test(frequencies),    cmocka_unit_test(small_motions),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(stiff),         cmocka_unit_test(slack),          cmocka_unit_test(symmetry),
+        cmocka_unit_test(same_bytes),    cmocka_unit_test(inertia),        cmocka_unit_test(frequencies),
+        cmocka_unit_test(small_motions), cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

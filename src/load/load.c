@@ -50,19 +50,18 @@ double wf_link_pull(const struct wf_link *k, const double from[3], const double 
     return pull;
 }
 
-void wf_link_stiffness(const struct wf_link *k, const double from[3], const double to[3], double axis[3][3],
-                       double stiffness[3])
+double wf_link_axes(const double from[3], const double to[3], double axis[3][3])
 {
-    double length, pull = spring(k->stiffness, k->length, k->pushes, from, to, axis[0], &length);
+    double length;
+    (void)spring(0, 0, true, from, to, axis[0], &length);
     const double *u = axis[0];
-    bool slack = !k->pushes && !(pull > 0), steep = fabs(u[2]) > 0.7;
+    bool steep = fabs(u[2]) > 0.7;
     const double other[3] = { steep, 0, !steep };
     wf_cross(u, other, axis[1]);
     double size = sqrt(wf_dot(axis[1], axis[1]));
     for (int i = 0; i < 3; i++) axis[1][i] /= size;
     wf_cross(u, axis[1], axis[2]);
-    stiffness[0] = slack ? 0 : k->stiffness;
-    stiffness[1] = stiffness[2] = pull / length;
+    return length;
 }
 
 /* Parameters of a law in the order of its row, from the values of the species. */

@@ -86,10 +86,9 @@ double wf_tie_pull(const struct wf_tie *t, const double at[3], double force[3], 
 /* Force in a link between two places [m]. Returned: [N], negative: a rod pushes, 0: a cable is slack; *force
  * on the first row's end, that on the second is opposite. */
 double wf_link_pull(const struct wf_link *k, const double from[3], const double to[3], double force[3]);
-/* The axes of a link between two places and its stiffness along each: axis[0] along it, from the first to the
- * second, [N/m]: what resists their moving apart. All 0: a cable is slack. */
-void wf_link_stiffness(const struct wf_link *k, const double from[3], const double to[3], double axis[3][3],
-                       double stiffness[3]);
+/* The axes of a link between two places: axis[0] along it, from the first to the second. Returned: its length
+ * [m]. */
+double wf_link_axes(const double from[3], const double to[3], double axis[3][3]);
 
 /* Properties of an axis at one point, per unit reference (unloaded) length. */
 struct wf_line_point {

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam.h"
 #include "base/vec3.h"
+#include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
-#include "solve/beam_mesh.h"
-#include "solve/beam_newton.h"
 
 /* Reading a solved beam: the columns of a response. */
 
@@ -131,8 +130,8 @@ void wf_beam_read(const struct wf_beam *b, struct wf_response *r)
     for (size_t i = 0; i < t->n; i++) read_beam_row(b, i, first, r, force, moment);
     add_end_loads(b, first, force, moment);
     wf_beam_read_balance(&b->base, force, moment, r);
-    r->iterations = b->iterations;
-    r->steps = b->steps;
+    r->iterations = b->iterations, r->steps = b->steps;
+    wf_beam_links_read(b, r->link);
 }
 
 /* From one mesh to another: start shape and error. */
@@ -156,6 +155,7 @@ static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, doub
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
 {
     memcpy(fine->tilt, coarse->tilt, fine->mesh.tree->n * sizeof *fine->tilt);
+    wf_beam_links_carry(coarse, fine);
     for (size_t i = 0; i < fine->mesh.tree->n; i++) {
         int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
         for (int32_t k = 0; k < cut; k++) {

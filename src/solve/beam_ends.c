@@ -3,9 +3,77 @@
 #include "base/vec3.h"
 #include "solve/beam_path.h"
 
-/* ---- Forces at single ends ---- */
-
 static size_t end_of_row(const struct wf_beam *b, int32_t row) { return (size_t)b->mesh.last[row]; }
+
+enum { DIRECTIONS = 3 * WF_LINKS_MAX };
+
+/* A direction in which the two ends of a link resist to move apart. */
+struct direction {
+    size_t link, from, to; /* from, to: elements, at their ends */
+    double axis[3], stiffness;
+    double gap; /* along: what the ends are apart beyond the link's length under its force [m]; across: 0 */
+};
+/* The force of each link, an unknown of its own, and what follows from the present shape. */
+struct pulling {
+    double force;              /* [N] */
+    double change;             /* by the last tangent */
+    double before, step;       /* of the correction: the force before it, its change */
+    double axis[3][3], length; /* [m] */
+    double gap;                /* [m]; 0: a cable is slack */
+    double give;               /* 1/D + F along the link, of the last tangent [m/N] */
+};
+struct wf_beam_links {
+    struct pulling link[WF_LINKS_MAX];
+    size_t n;
+    struct direction at[DIRECTIONS];
+    double flexibility[DIRECTIONS][DIRECTIONS]; /* 1/D + F [m/N] */
+    double inverse[DIRECTIONS][DIRECTIONS];
+    size_t below;                          /* elements that carry an end */
+    int32_t *path;                         /* these, from the tips to the base */
+    double (*strain)[2][3];                /* of each: change of g by the last tangent */
+    double (*step)[2][3], (*before)[2][3]; /* by the correction; g before it */
+    bool stretched;                        /* the correction has a step */
+    double share;                          /* of it that was added */
+};
+
+/* A link in the present shape. A cable that would have to push lets go. */
+static void see_link(const struct wf_beam *b, size_t k)
+{
+    const double least = 1e-9; /* of its length: a cable at rest is slack, whatever is rounded */
+    const struct wf_link *q = &b->loads.link[k];
+    struct pulling *p = &b->links->link[k];
+    p->length = wf_link_axes(b->pose[end_of_row(b, q->segment[0])].r, b->pose[end_of_row(b, q->segment[1])].r,
+                             p->axis);
+    p->gap = p->length - q->length - p->force / q->stiffness;
+    if (q->pushes || (p->force > 0 && p->force + p->gap / p->give > 0)) return;
+    p->force = 0;
+    p->gap = p->length - q->length;
+    if (!(p->gap > least * q->length)) p->gap = 0;
+}
+
+static bool is_slack(const struct wf_link *q, const struct pulling *p)
+{
+    return !q->pushes && !(p->force > 0) && !(p->gap > 0);
+}
+
+/* Forces of links: their own, or where only the shape is known those by it. */
+static void load_links(struct wf_beam *b)
+{
+    const struct wf_loads *l = &b->loads;
+    for (size_t k = 0; k < l->links; k++) {
+        size_t from = end_of_row(b, l->link[k].segment[0]), to = end_of_row(b, l->link[k].segment[1]);
+        double f[3];
+        if (b->links) {
+            see_link(b, k);
+            for (int i = 0; i < 3; i++) f[i] = b->links->link[k].force * b->links->link[k].axis[0][i];
+        } else
+            (void)wf_link_pull(&l->link[k], b->pose[from].r, b->pose[to].r, f);
+        v3_add(b->wrench[from].n, 1, f);
+        v3_add(b->wrench[to].n, -1, f);
+    }
+}
+
+/* ---- At element ends ---- */
 
 void wf_beam_ends_load(struct wf_beam *b)
 {
@@ -29,13 +97,7 @@ void wf_beam_ends_load(struct wf_beam *b)
         (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, NULL);
         v3_add(b->wrench[i].n, 1, f);
     }
-    for (size_t k = 0; k < l->links; k++) {
-        size_t from = end_of_row(b, l->link[k].segment[0]), to = end_of_row(b, l->link[k].segment[1]);
-        double f[3];
-        (void)wf_link_pull(&l->link[k], b->pose[from].r, b->pose[to].r, f);
-        v3_add(b->wrench[from].n, 1, f);
-        v3_add(b->wrench[to].n, -1, f);
-    }
+    load_links(b);
 }
 
 /* Follower loads rotate with their section: dn = spin x n. Cables resist as their ends move. */
@@ -66,42 +128,41 @@ void wf_beam_ends_react(struct wf_beam *b)
 
 /* ---- Links ---- */
 
-enum { DIRECTIONS = 3 * WF_LINKS_MAX };
-
-/* A direction in which the two ends of a link resist to move apart. */
-struct direction {
-    size_t from, to; /* elements, at their ends */
-    double axis[3], stiffness;
-};
-struct wf_beam_links {
-    size_t n;
-    struct direction at[DIRECTIONS];
-    double flexibility[DIRECTIONS][DIRECTIONS]; /* 1/D + F [m/N] */
-    double inverse[DIRECTIONS][DIRECTIONS];
-    size_t below;  /* elements that carry an end */
-    int32_t *path; /* these, from the tips to the base */
-};
-
 /* Mark an element and all below it. */
 static void mark_path(const struct wf_beam *b, size_t end, bool *on)
 {
     for (int32_t i = (int32_t)end; i >= 0 && !on[i]; i = b->mesh.part[i].parent) on[i] = true;
 }
 
-enum wf_status wf_beam_links_take(struct wf_beam *b, struct wf_arena *a, struct wf_err *e)
+/* Its force where the tree was drawn. */
+static void begin_link(const struct wf_tree *t, const struct wf_link *q, struct pulling *p)
+{
+    const int32_t a = q->segment[0], c = q->segment[1];
+    const double from[3] = { t->x1[a], t->y1[a], t->z1[a] }, to[3] = { t->x1[c], t->y1[c], t->z1[c] };
+    double f[3];
+    p->force = wf_link_pull(q, from, to, f);
+    p->give = 1 / q->stiffness;
+}
+
+enum wf_status wf_beam_links_take(struct wf_beam *b, struct wf_arena *a, struct wf_arena *newton,
+                                  struct wf_err *e)
 {
     const struct wf_loads *l = &b->loads;
     struct wf_arena scratch = { 0 };
     bool *on = WF_TAKE(&scratch, b->mesh.n, bool);
     struct wf_beam_links *x = b->links = WF_TAKE(a, 1, struct wf_beam_links);
     if (x) x->path = WF_TAKE(a, b->mesh.n, int32_t);
-    bool room = on && x && x->path;
+    if (x) x->strain = wf_arena_take(a, b->mesh.n, sizeof *x->strain);
+    if (x) x->step = wf_arena_take(a, b->mesh.n, sizeof *x->step);
+    if (x) x->before = wf_arena_take(a, b->mesh.n, sizeof *x->before);
+    bool room = on && x && x->path && x->strain && x->step && x->before;
     for (size_t k = 0; k < 2 * l->links && room; k++)
         mark_path(b, end_of_row(b, l->link[k / 2].segment[k % 2]), on);
     for (size_t i = b->mesh.n; room && i-- > 0;)
         if (on[i]) x->path[x->below++] = (int32_t)i;
+    for (size_t k = 0; k < l->links && room; k++) begin_link(b->mesh.tree, &l->link[k], &x->link[k]);
     wf_arena_free(&scratch);
-    return room ? wf_beam_small_take(b, a, e) : wf_fail(e, WF_ENOMEM, "not enough memory for cables");
+    return room ? wf_beam_small_take(b, newton, e) : wf_fail(e, WF_ENOMEM, "not enough memory for cables");
 }
 
 /* The directions in which links resist in the present shape. */
@@ -112,18 +173,26 @@ static void find_directions(struct wf_beam *b)
     struct wf_beam_links *x = b->links;
     x->n = 0;
     for (size_t k = 0; k < l->links; k++) {
-        struct direction d = {
-            end_of_row(b, l->link[k].segment[0]), end_of_row(b, l->link[k].segment[1]), { 0 }, 0
-        };
-        double axis[3][3], stiffness[3];
-        wf_link_stiffness(&l->link[k], b->pose[d.from].r, b->pose[d.to].r, axis, stiffness);
+        const struct wf_link *q = &l->link[k];
+        const struct pulling *p = &x->link[k];
+        if (is_slack(q, p)) continue;
         for (int i = 0; i < 3; i++) {
-            if (!(fabs(stiffness[i]) > none * l->link[k].stiffness)) continue;
-            memcpy(d.axis, axis[i], sizeof d.axis);
-            d.stiffness = stiffness[i];
-            x->at[x->n++] = d;
+            double stiffness = i ? p->force / p->length : q->stiffness;
+            if (!(fabs(stiffness) > none * q->stiffness)) continue;
+            x->at[x->n] = (struct direction){ .link = k,
+                                              .from = end_of_row(b, q->segment[0]),
+                                              .to = end_of_row(b, q->segment[1]),
+                                              .stiffness = stiffness,
+                                              .gap = i ? 0 : p->gap };
+            memcpy(x->at[x->n++].axis, p->axis[i], sizeof p->axis[i]);
         }
     }
+}
+
+/* Is a direction that along its link? */
+static bool is_along(const struct wf_beam_links *x, size_t i)
+{
+    return !i || x->at[i].link != x->at[i - 1].link;
 }
 
 static void clear_pushes(struct wf_beam *b)
@@ -151,18 +220,21 @@ static double parted(const struct wf_beam *b, const struct direction *d, int lan
 }
 
 /* 1/D + F, by the answers of the path to unit forces. */
-static void find_flexibility(struct wf_beam *b, bool stretching)
+static void find_flexibility(struct wf_beam *b)
 {
     struct wf_beam_links *x = b->links;
     for (size_t from = 0; from < x->n; from += WF_BEAM_SIDES) {
         size_t some = x->n - from < WF_BEAM_SIDES ? x->n - from : WF_BEAM_SIDES;
         clear_pushes(b);
         for (size_t c = 0; c < some; c++) pull(b, &x->at[from + c], (int)c, 1);
-        wf_beam_answer_path(b, x->path, x->below, stretching);
+        wf_beam_answer_path(b, x->path, x->below);
         for (size_t r = 0; r < x->n; r++)
             for (size_t c = 0; c < some; c++) x->flexibility[r][from + c] = -parted(b, &x->at[r], (int)c);
     }
-    for (size_t k = 0; k < x->n; k++) x->flexibility[k][k] += 1 / x->at[k].stiffness;
+    for (size_t k = 0; k < x->n; k++) {
+        x->flexibility[k][k] += 1 / x->at[k].stiffness;
+        if (is_along(x, k)) x->link[x->at[k].link].give = fabs(x->flexibility[k][k]);
+    }
 }
 
 /* Inverse by elimination with exchange of rows. false: singular. */
@@ -236,46 +308,112 @@ static void correct_path(struct wf_beam *b)
     }
 }
 
-/* Forces that answer to the ends' moving apart in one lane. */
-static void resist(const struct wf_beam *b, int lane, double force[DIRECTIONS])
+/* Forces that answer to the ends' moving apart in one lane, and with `gaps` to what they are apart already.
+ */
+static void resist(const struct wf_beam *b, int lane, bool gaps, double force[DIRECTIONS])
 {
     const struct wf_beam_links *x = b->links;
     double apart[DIRECTIONS];
-    for (size_t k = 0; k < x->n; k++) apart[k] = parted(b, &x->at[k], lane);
+    for (size_t k = 0; k < x->n; k++) apart[k] = parted(b, &x->at[k], lane) + (gaps ? x->at[k].gap : 0);
     for (size_t k = 0; k < x->n; k++) {
         force[k] = 0;
         for (size_t c = 0; c < x->n; c++) force[k] += x->inverse[k][c] * apart[c];
     }
 }
 
-bool wf_beam_links_join(struct wf_beam *b, struct wf_beam_stability *count)
+/* Energy of the gaps. */
+static void add_misfit(struct wf_beam *b)
+{
+    for (size_t k = 0; k < b->loads.links; k++) {
+        const struct pulling *p = &b->links->link[k];
+        b->misfit.bending += 0.5 * p->gap * p->gap / p->give;
+    }
+}
+
+static bool join_tangent(struct wf_beam *b, struct wf_beam_stability *count)
 {
     struct wf_beam_links *x = b->links;
     double force[DIRECTIONS];
     find_directions(b);
+    memset(x->strain, 0, x->below * sizeof *x->strain);
+    for (size_t k = 0; k < b->loads.links; k++) x->link[k].change = 0;
     if (!x->n) return true;
-    find_flexibility(b, false); /* the strains of the step are those of the present forces */
+    find_flexibility(b);
     if (!invert(x)) return false;
     if (count) count_links(x, count);
     correct_path(b);
-    resist(b, 0, force);
+    resist(b, 0, true, force);
     clear_pushes(b);
-    for (size_t k = 0; k < x->n; k++) pull(b, &x->at[k], 0, force[k]);
-    wf_beam_correct_path(b, x->path, x->below);
+    for (size_t k = 0; k < x->n; k++) {
+        pull(b, &x->at[k], 0, force[k]);
+        if (is_along(x, k)) x->link[x->at[k].link].change = force[k];
+    }
+    wf_beam_correct_path(b, x->path, x->below, x->strain);
     return true;
+}
+
+bool wf_beam_links_join(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
+{
+    bool joined = !tangent || join_tangent(b, count);
+    add_misfit(b);
+    return joined;
+}
+
+void wf_beam_links_keep(struct wf_beam *b)
+{
+    struct wf_beam_links *x = b->links;
+    x->stretched = x->n, x->share = 0;
+    for (size_t k = 0; k < b->loads.links; k++) {
+        struct pulling *p = &x->link[k];
+        p->before = p->force, p->step = p->change;
+    }
+    memcpy(x->step, x->strain, x->below * sizeof *x->step);
+    for (size_t k = 0; k < x->below; k++) memcpy(x->before[k], b->shape[x->path[k]].g, sizeof x->before[k]);
+}
+
+void wf_beam_links_stretch(struct wf_beam *b, double share)
+{
+    struct wf_beam_links *x = b->links;
+    x->share += share;
+    for (size_t k = 0; k < b->loads.links; k++) {
+        struct pulling *p = &x->link[k];
+        p->force = p->before + x->share * p->step;
+        if (!b->loads.link[k].pushes) p->force = fmax(p->force, 0);
+    }
+    for (size_t k = 0; k < x->below && x->stretched; k++) {
+        struct wf_beam_shape *u = &b->shape[x->path[k]];
+        if (b->held && b->held[x->path[k]]) continue;
+        memcpy(u->g, x->before[k], sizeof u->g); /* a sweep at another share may have changed it */
+        for (int j = 0; j < 2; j++) v3_add(u->g[j], x->share, x->step[k][j]);
+    }
 }
 
 bool wf_beam_links_linearise(struct wf_beam *b)
 {
     find_directions(b);
-    find_flexibility(b, true);
+    find_flexibility(b);
     return invert(b->links);
 }
 
 void wf_beam_links_answer(struct wf_beam *b)
 {
     double force[WF_BEAM_SIDES][DIRECTIONS];
-    for (int lane = 0; lane < WF_BEAM_SIDES; lane++) resist(b, lane, force[lane]);
+    for (int lane = 0; lane < WF_BEAM_SIDES; lane++) resist(b, lane, false, force[lane]);
     for (int lane = 0; lane < WF_BEAM_SIDES; lane++)
         for (size_t k = 0; k < b->links->n; k++) pull(b, &b->links->at[k], lane, force[lane][k]);
+}
+
+void wf_beam_links_carry(const struct wf_beam *from, struct wf_beam *to)
+{
+    if (!from->links || !to->links) return;
+    for (size_t k = 0; k < to->loads.links; k++) {
+        to->links->link[k].force = from->links->link[k].force;
+        to->links->link[k].give = from->links->link[k].give;
+    }
+}
+
+void wf_beam_links_read(const struct wf_beam *b, double force[WF_LINKS_MAX])
+{
+    for (size_t k = 0; k < WF_LINKS_MAX; k++)
+        force[k] = b->links && k < b->loads.links ? b->links->link[k].force : 0;
 }

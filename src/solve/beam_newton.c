@@ -252,7 +252,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
         if (count && count->negative > unstable) count->bears = INFINITY;
     }
-    if (tangent && b->links && !wf_beam_links_join(b, count)) return false;
+    if (b->links && !wf_beam_links_join(b, tangent, count)) return false;
     if (count) b->stability = *count;
     b->counted = count && isfinite(b->misfit.bending);
     return isfinite(b->misfit.bending);
@@ -299,7 +299,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
         !b->pose || !b->stage || !b->wrench || !b->load || (newton && !take_newton(b, newton)) ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
-    return l->links && newton ? wf_beam_links_take(b, newton, e) : WF_OK;
+    return l->links && newton ? wf_beam_links_take(b, a, newton, e) : WF_OK;
 }
 
 /* Limit an element's own rotation; everything above it moves accordingly. base, end: changes of its ends. */
@@ -325,6 +325,7 @@ static double newton_corrections(struct wf_beam *b)
 {
     static const double still[6];
     double most = 0;
+    if (b->links) wf_beam_links_keep(b);
     for (size_t i = 0; i < b->mesh.n; i++) {
         if (held(b, i)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
@@ -345,6 +346,7 @@ static void apply_correction(struct wf_beam *b, double share)
         for (int j = 0; j < 2 && !held(b, i); j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
     for (size_t i = 0; i < b->mesh.tree->n && !b->held; i++)
         if (b->mesh.tree->parent[i] < 0) v3_add(b->tilt[i], share, b->root_step[i]);
+    if (b->links) wf_beam_links_stretch(b, share);
     wf_beam_sweep_up(b);
 }
 

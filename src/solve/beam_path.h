@@ -130,7 +130,7 @@ WF_INLINE void answer_up(const struct wf_beam_part *p, const struct wf_beam_stag
 /* Rotation of a root plate, and the root's wrench on the ground: that for a fixed plate plus the effect of
  * its spin. */
 WF_INLINE void ground_root(struct wf_beam *b, size_t row, wf_four down[6], const wf_four *root,
-                        wf_four ground[6])
+                           wf_four ground[6])
 {
     const struct wf_tree *t = b->mesh.tree;
     const double arm[3] = { t->x0[row] - t->x0[0], t->y0[row] - t->y0[0], t->z0[row] - t->z0[0] };
@@ -150,10 +150,9 @@ WF_INLINE void ground_root(struct wf_beam *b, size_t row, wf_four down[6], const
 enum wf_status wf_beam_small_take(struct wf_beam *b, struct wf_arena *a, struct wf_err *e);
 
 /* Elements alone that carry one another, from tips to bases; others stand still. Given: path[n], wrenches
- * b->sides[].push on their ends, which are used up; stretching: with the strains that they make. Returned:
- * b->sides[].y, changes of the ends. */
-void wf_beam_answer_path(struct wf_beam *b, const int32_t *path, size_t n, bool stretching);
-/* The same in lane 0, without strains, added to the Newton correction: to b->answer, b->node and the roots.
- */
-void wf_beam_correct_path(struct wf_beam *b, const int32_t *path, size_t n);
+ * b->sides[].push on their ends, which are used up. Returned: b->sides[].y, changes of the ends. */
+void wf_beam_answer_path(struct wf_beam *b, const int32_t *path, size_t n);
+/* The same in lane 0, added to the Newton correction: to b->answer, b->node and the roots. Returned:
+ * strain[n], the changes of the unknowns g. */
+void wf_beam_correct_path(struct wf_beam *b, const int32_t *path, size_t n, double (*strain)[2][3]);
 #endif

@@ -25,9 +25,10 @@ struct wf_response {
     double *tangent0, *tangent1; /* 3n: unit axis direction of the deformed segment at base and end */
     double *load;                /* 3n: distributed load on the segment, summed [N] */
     double base_force[3], base_moment[3]; /* exerted on the ground, moment about the (first) base [N, N m] */
-    double imbalance;   /* |base force - sum of loads on the deformed shape| / largest load, likewise for
-                           moments; the larger of both [-] */
-    double load_factor; /* share of the load carried: 1 when converged */
+    double imbalance; /* |base force - sum of loads on the deformed shape| / largest load, likewise for
+                         moments; the larger of both [-] */
+    double link[WF_LINKS_MAX]; /* forces in links; negative: a rod pushes [N] */
+    double load_factor;        /* share of the load carried: 1 when converged */
     size_t iterations, steps;
     bool small_deflection; /* linear solution: limits of validity apply */
 };

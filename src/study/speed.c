@@ -186,12 +186,7 @@ static void totals_fill(const struct wf_analysis *an, const struct totals *all, 
         end_at(&an->tree, &out->response, (size_t)tie->segment, place);
         out->tie[k] = wf_tie_pull(tie, place, pull, NULL);
     }
-    for (size_t k = 0; k < an->loads.links; k++) {
-        const struct wf_link *link = &an->loads.link[k];
-        double end[2][3], pull[3];
-        for (int i = 0; i < 2; i++) end_at(&an->tree, &out->response, (size_t)link->segment[i], end[i]);
-        out->link[k] = wf_link_pull(link, end[0], end[1], pull);
-    }
+    for (size_t k = 0; k < an->loads.links; k++) out->link[k] = out->response.link[k];
 }
 
 static void totals_unknown(struct wf_at_speed *out)
