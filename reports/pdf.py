@@ -135,6 +135,88 @@ def use_few_glyphs():
     Font.clean = clean
 
 
+# The pages of a table of trees say mostly the same, and WeasyPrint breaks each text into lines anew for each width of a column,
+# and shapes it again when it is drawn: half the time of a page. Here the lines of a text are kept for the next time. They depend
+# on the text, the width and these properties alone.
+
+OF_A_LINE = (
+    'font_family', 'font_feature_settings', 'font_kerning', 'font_language_override', 'font_size', 'font_stretch', 'font_style',
+    'font_variant_alternates', 'font_variant_caps', 'font_variant_east_asian', 'font_variant_ligatures', 'font_variant_numeric',
+    'font_variant_position', 'font_variation_settings', 'font_weight', 'hyphenate_character', 'hyphenate_limit_chars',
+    'hyphenate_limit_zone', 'hyphens', 'lang', 'letter_spacing', 'overflow_wrap', 'tab_size', 'text_decoration_line',
+    'white_space', 'word_break', 'word_spacing')
+KEPT = 20000  # texts, some hundred bytes each
+
+
+class Lines:
+    """Lines of texts in the fonts of one FontConfiguration."""
+    def __init__(self, fonts, plain, layout):
+        self.fonts, self.plain, self.layout = fonts, plain, layout
+        self.kinds, self.kept = {}, {}
+
+    def kind(self, style):
+        try:
+            return style.kind_of_line
+        except AttributeError:
+            properties = repr([style[name] for name in OF_A_LINE])
+            kind = self.kinds.setdefault(properties, len(self.kinds))
+            try:
+                style.kind_of_line = kind
+            except AttributeError:  # a plain dictionary
+                pass
+            return kind
+
+    def split(self, text, style, context, max_width, justification_spacing, is_line_start=True, minimum=False):
+        rest = max_width, justification_spacing, is_line_start, minimum
+        if context is None or context.font_config is not self.fonts:
+            return self.plain(text, style, context, *rest)
+        key = text, self.kind(style), rest
+        line = self.kept.get(key)
+        if line is None:
+            line = self.plain(text, style, context, *rest)
+            if len(self.kept) >= KEPT:
+                self.kept.clear()
+            self.kept[key] = line
+        own = object.__new__(self.layout)
+        own.__dict__.update(line[0].__dict__, context=context)
+        return own, *line[1:]
+
+
+class Sheets:
+    """Style sheets within pages, which are the same in most of them."""
+    def __init__(self, plain):
+        self.plain, self.kept = plain, {}
+
+    def sheet(self, string=None, page_rules=None, **rest):
+        if string is None or any(rule in string for rule in ('@font-face', '@import', '@counter-style')):
+            return self.plain(string=string, page_rules=page_rules, **rest)
+        key = string, rest.get('media_type'), rest.get('base_url')
+        if key not in self.kept:
+            if len(self.kept) >= 16:
+                self.kept.clear()
+            self.kept[key] = self.plain(string=string, page_rules=[], **rest)
+        if page_rules is not None:
+            page_rules += self.kept[key].page_rules
+        return self.kept[key]
+
+
+def keep():
+    """Keep lines and style sheets. Returned: the fonts whose lines are kept; None where WeasyPrint is of another version than
+    those of which this is known to be right."""
+    if weasyprint.__version__.split('.')[0] not in ('57', '58', '59'):
+        return None
+    try:
+        from weasyprint import css
+        from weasyprint.layout import inline, preferred
+        from weasyprint.text import fonts, line_break
+        lines = Lines(fonts.FontConfiguration(), line_break.split_first_line, line_break.Layout)
+    except (ImportError, AttributeError):
+        return None
+    inline.split_first_line = preferred.split_first_line = line_break.split_first_line = lines.split
+    css.CSS = Sheets(css.CSS).sheet
+    return lines.fonts
+
+
 # A last page of a few lines: margins and lines are closer where that saves the page; else wider, so that more stands on it.
 CLOSER = '@page { margin-top: 16mm !important; margin-bottom: 14mm !important } html, body { line-height: 1.36 !important }'
 CLOSEST = '@page { margin-top: 15mm !important; margin-bottom: 12mm !important } html, body { line-height: 1.3 !important }'
@@ -156,8 +238,8 @@ def filled(page):
     return low / height
 
 
-def laid_out(html):
-    document = html.render()
+def laid_out(html, fonts):
+    document = html.render(font_config=fonts)
     if len(document.pages) < 2:
         return document
 
@@ -167,7 +249,7 @@ def laid_out(html):
         if filled(document.pages[-1]) > SPARSE:
             return document
         for style in CLOSER, CLOSEST, LOWER, WIDER:
-            other = html.render(stylesheets=[weasyprint.CSS(string=style)])
+            other = html.render(stylesheets=[weasyprint.CSS(string=style)], font_config=fonts)
             if rank(other) < rank(document):
                 document = other
             if not rank(document)[0]:
@@ -195,6 +277,7 @@ def main():
     said.setLevel(logging.ERROR)
     weasyprint.LOGGER.addHandler(said)
     use_few_glyphs()
+    fonts = keep()
     here = os.open('.', getattr(os, 'O_PATH', os.O_RDONLY))  # folders are named from here
     gc.freeze()
     gc.disable()  # looking for dead objects takes a tenth of the time of a page
@@ -205,7 +288,8 @@ def main():
         os.chdir(folder)
         with open(page, 'rb') as f:
             html = f.read()
-        laid_out(weasyprint.HTML(string=html, encoding='utf-8', url_fetcher=fetch)).write_pdf(os.fsdecode(file))
+        own = None if b'@font-face' in html else fonts  # what a page brings is its own
+        laid_out(weasyprint.HTML(string=html, encoding='utf-8', url_fetcher=fetch), own).write_pdf(os.fsdecode(file))
         sys.stdout.flush()
         os.write(1, b'\0')
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees whose twigs snap: settling the twigs by themselves gives the same stem as stepping the whole tree. */
 #include "beam_cases.h"
-#include "solve/beam_newton.h"
+#include "solve/beam_settle.h"
 #include <stdlib.h>
 
 enum { TREES = 6, STEM = 12, TWIGS = 150, PIECES = 3, ROWS = STEM + TWIGS * PIECES };

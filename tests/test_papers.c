@@ -167,7 +167,9 @@ static void tables(void **state)
     scratch_write(&s, "", 0);
     snprintf(folder, sizeof folder, "%s.d", s.path);
     const struct wf_series_page_run run = { &m.series, &m.diag };
-    const struct wf_explained explained = { 1, "tree", &x, &m.series.an.tree, 4, NULL, NULL };
+    const struct wf_explained explained = {
+        .run = 1, .name = "tree", .species = m.series.an.species, .of = &x, .tree = &m.series.an.tree, .speed = 4
+    };
     const struct wf_series_page page = { .title = "t",
                                          .command = "c",
                                          .date = "d",

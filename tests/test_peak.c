@@ -242,7 +242,7 @@ static void critical_at_the_peak(void **state)
 
 static void find_modes(struct pole *p, double wind, size_t count, struct wf_sway_modes *m)
 {
-    if (wf_sway_modes(&p->an, &p->c.options, wind, count, &p->c.arena, m, &p->c.err))
+    if (wf_sway_modes(&p->an, &p->c.options, wind, 0, count, &p->c.arena, m, &p->c.err))
         fail_msg("%s", p->c.err.text);
 }
 

@@ -29,7 +29,7 @@ struct wf_arena_block {
 #if defined(__SANITIZE_ADDRESS__) || defined(WATCHED)
 enum { SPARE_MOST = 0 };
 #else
-enum { SPARE_MOST = 1 << 27 };
+enum { SPARE_MOST = 1 << 29 };
 #endif
 enum { SPARE_LEAST = 1 << 16 }; /* bytes of a block that is kept */
 static struct {
@@ -128,10 +128,14 @@ static void *arena_bytes(struct wf_arena *a, size_t bytes, size_t align)
     return p;
 }
 
+void *wf_arena_take_unset(struct wf_arena *a, size_t n, size_t size)
+{
+    return size && n > SIZE_MAX / size ? NULL : arena_bytes(a, n * size, ALIGN);
+}
+
 void *wf_arena_take(struct wf_arena *a, size_t n, size_t size)
 {
-    if (size && n > SIZE_MAX / size) return NULL;
-    unsigned char *p = arena_bytes(a, n * size, ALIGN);
+    unsigned char *p = wf_arena_take_unset(a, n, size);
     if (!p) return NULL;
     size_t from = (size_t)(p - a->block->room), dirty = a->block->dirty;
     if (from < dirty) memset(p, 0, n * size < dirty - from ? n * size : dirty - from);

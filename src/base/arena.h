@@ -21,13 +21,15 @@ struct wf_arena {
 /* Allocate n elements of `size` bytes, zeroed. Returned: a pointer, or NULL when memory or the limit is
  * exhausted or n * size overflows. n == 0 gives a valid non-NULL pointer. */
 void *wf_arena_take(struct wf_arena *a, size_t n, size_t size);
+/* The same, not zeroed. */
+void *wf_arena_take_unset(struct wf_arena *a, size_t n, size_t size);
 /* Copy a string into the arena. Returned: the copy; NULL when memory or the limit is exhausted. */
 char *wf_arena_text(struct wf_arena *a, const char *text);
 /* printf into the arena. Returned: the text; NULL when memory or the limit is exhausted. */
 char *wf_arena_print(struct wf_arena *a, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* Move everything that `from` holds to `a`; addresses do not change. `from` is then empty. */
 void wf_arena_join(struct wf_arena *a, struct wf_arena *from);
-/* Free all memory of the arena; it is then empty and can be used again. Large blocks are kept, up to 128 MB, for
+/* Free all memory of the arena; it is then empty and can be used again. Large blocks are kept, up to 512 MB, for
  * arenas of this process; wf_arena_drop_spare gives them back to the system. */
 void wf_arena_free(struct wf_arena *a);
 void wf_arena_drop_spare(void);

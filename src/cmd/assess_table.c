@@ -23,7 +23,7 @@
 #include <malloc.h>
 #endif
 
-enum { BATCH = 64, SCANS = 8 }; /* rows at a time; of them trees of files, which are larger */
+enum { BATCH = 128, SCANS = 8 }; /* rows at a time; of them trees of files, which are larger */
 
 struct table {
     struct wf_assess_options *line;

@@ -36,6 +36,7 @@ struct row {
     const struct wf_tree *t;
     const struct wf_response *r;
     size_t i;
+    double length, slope0[3], slope1[3]; /* slopes of the moment at the ends: dM/ds = -t x F */
     struct wf_section_load end[2], near[2];
     bool have[2];
     struct grid {
@@ -51,17 +52,15 @@ static struct wf_section_load load_inside(const struct row *w, double s)
     const struct wf_tree *t = w->t;
     const struct wf_response *r = w->r;
     size_t i = w->i;
-    double length = wf_tree_length(t, i), left = 1 - s, force[3], moment[3], axis[3], slope0[3], slope1[3];
+    double left = 1 - s, force[3], moment[3], axis[3];
     const double *f0 = r->force0 + 3 * i, *f1 = r->force1 + 3 * i, *t0 = r->tangent0 + 3 * i,
                  *t1 = r->tangent1 + 3 * i;
-    wf_cross(f0, t0, slope0); /* dM/ds = -t x F */
-    wf_cross(f1, t1, slope1);
     for (size_t k = 0; k < 3; k++) {
         force[k] = left * f0[k] + s * f1[k];
         axis[k] = left * t0[k] + s * t1[k];
         moment[k] = left * left * (1 + 2 * s) * r->moment0[3 * i + k] +
                     s * s * (3 - 2 * s) * r->moment1[3 * i + k] +
-                    length * s * left * (left * slope0[k] - s * slope1[k]);
+                    w->length * s * left * (left * w->slope0[k] - s * w->slope1[k]);
     }
     double size = sqrt(wf_dot(axis, axis));
     /* the two end tangents cancel: only the ends of this row count */
@@ -73,6 +72,9 @@ static struct wf_section_load load_inside(const struct row *w, double s)
 static void read_ends(const struct wf_tree *t, const struct wf_response *r, size_t i, struct row *w)
 {
     w->t = t, w->r = r, w->i = i;
+    w->length = wf_tree_length(t, i);
+    wf_cross(r->force0 + 3 * i, r->tangent0 + 3 * i, w->slope0);
+    wf_cross(r->force1 + 3 * i, r->tangent1 + 3 * i, w->slope1);
     w->have[0] = w->have[1] = false;
     for (int round = 0; round < ROUNDS; round++) w->grid[round].there = false;
     w->end[0] = section_load_at(t, r, i, 0, r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i);

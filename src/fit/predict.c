@@ -7,6 +7,7 @@
 #include "fit/free_sway.h"
 #include "fit/plant.h"
 #include "fit/sensor.h"
+#include "solve/beam_settle.h"
 #include "solve/beam_small.h"
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,8 @@
 #include "base/vec3.h"
 #include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
+#include "solve/beam_mesh.h"
+#include "solve/beam_newton.h"
 
 /* Reading a solved beam: the columns of a response. */
 
@@ -67,20 +69,12 @@ static double distance_between(const double a[3], const double b[3])
     return sqrt(wf_dot(d, d));
 }
 
-/* Where the end of row i is before it moves [m]. */
-static void still_at(const struct wf_beam_mesh *m, size_t i, double place[3])
-{
-    const struct wf_tree *t = m->tree;
-    const double drawn[3] = { t->x1[i], t->y1[i], t->z1[i] };
-    memcpy(place, m->still ? m->still[i] : drawn, sizeof drawn);
-}
-
 void wf_beam_read_shape(const struct wf_beam_mesh *m, size_t i, const double base_L[9],
                         const struct wf_beam_pose *end, struct wf_response *r)
 {
     const struct wf_tree *t = m->tree;
     double at[3], axis[3], tip[3];
-    still_at(m, i, tip);
+    wf_beam_still_at(m, i, tip);
     wf_row_axis(t, i, 0, at, axis);
     m3_apply(base_L, axis, r->tangent0 + 3 * i);
     wf_row_axis(t, i, 1, at, axis);
@@ -134,226 +128,6 @@ void wf_beam_read(const struct wf_beam *b, struct wf_response *r)
     wf_beam_links_read(b, r->link);
 }
 
-/* From one mesh to another: start shape and error. */
-
-/* Rotation from the unloaded to the loaded state at fraction s (0..1) of a row. */
-static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
-{
-    int32_t from = b->mesh.first[row], cut = b->mesh.last[row] - from + 1;
-    int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
-    double x = s * cut - k, v[3], R[9];
-    const struct wf_beam_shape *u = &b->shape[from + k];
-    /* the quadratic through 0 at the base and the two Gauss points */
-    double a = x * (x - gauss_place[1]) / (gauss_place[0] * (gauss_place[0] - gauss_place[1]));
-    double c = x * (x - gauss_place[0]) / (gauss_place[1] * (gauss_place[1] - gauss_place[0]));
-    for (int i = 0; i < 3; i++) v[i] = a * u->v[0][i] + c * u->v[1][i];
-    struct wf_beam_pose ground;
-    rotation_matrix(v, R);
-    m3_mul(wf_beam_base(b, (size_t)(from + k), &ground)->L, R, L);
-}
-
-void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
-{
-    memcpy(fine->tilt, coarse->tilt, fine->mesh.tree->n * sizeof *fine->tilt);
-    wf_beam_links_carry(coarse, fine);
-    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
-        int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
-        for (int32_t k = 0; k < cut; k++) {
-            double base[9], at[9], R[9];
-            beam_rotation_at(coarse, i, (double)k / cut, base);
-            for (int j = 0; j < 2; j++) {
-                beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
-                m3_mul_transposed(base, at, R);
-                rotation_vector(R, fine->shape[from + k].v[j]);
-            }
-        }
-    }
-}
-
-/* Position and rotation of the end of row i relative to its base, in the axes of the base; of a standing tree
- * the change from the given shape. */
-static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], double L[9])
-{
-    size_t from = (size_t)b->mesh.first[i];
-    struct wf_beam_pose ground;
-    const struct wf_beam_pose *base = wf_beam_base(b, from, &ground), *end = &b->pose[b->mesh.last[i]];
-    double d[3] = { end->r[0] - base->r[0], end->r[1] - base->r[1], end->r[2] - base->r[2] };
-    m3_apply_transposed(base->L, d, place);
-    m3_mul_transposed(base->L, end->L, L);
-    if (!b->mesh.still) return;
-    const double foot[3] = { b->mesh.tree->x0[i], b->mesh.tree->y0[i], b->mesh.tree->z0[i] };
-    int32_t below = b->mesh.tree->parent[i];
-    v3_add(place, -1, b->mesh.still[i]);
-    v3_add(place, 1, below < 0 ? foot : b->mesh.still[below]);
-}
-
-/* Path length from each row's end to its farthest tip [m]. */
-static void tree_reach(const struct wf_tree *t, double *reach)
-{
-    for (size_t i = 0; i < t->n; i++) reach[i] = 0;
-    for (size_t i = t->n; i-- > 0;) {
-        if (t->parent[i] < 0) continue;
-        double far = reach[i] + wf_tree_length(t, i);
-        if (far > reach[t->parent[i]]) reach[t->parent[i]] = far;
-    }
-}
-
-/* Estimated error of position at the worst node [m], from solutions on a mesh and a finer one of the same
- * tree. Each row's own contribution (its end relative to its base) falls with the fourth power of the piece
- * length; its error of rotation moves everything beyond it, up to `reach` away. share[n]: contribution of
- * each row [m]; a row that was not refined keeps its old value. */
-static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
-                              double *share)
-{
-    const struct wf_tree *t = fine->mesh.tree;
-    double worst = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        double a[3], b[3], A[9], B[9], R[9], turn[3];
-        double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i);
-        double fall = pow(kf / kc, 4) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
-        seen_from_base(coarse, i, a, A);
-        seen_from_base(fine, i, b, B);
-        m3_mul_transposed(A, B, R);
-        rotation_vector(R, turn);
-        v3_add(a, -1, b);
-        if (fall > 0) share[i] = (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall;
-    }
-    /* largest sum along a path from the ground: summed in place of the rows' own shares, then undone */
-    for (size_t i = 0; i < t->n; i++) {
-        if (t->parent[i] >= 0) share[i] += share[t->parent[i]];
-        worst = fmax(worst, share[i]);
-    }
-    for (size_t i = t->n; i-- > 0;)
-        if (t->parent[i] >= 0) share[i] -= share[t->parent[i]];
-    return worst;
-}
-
-/* Mesh refinement to a tolerance: solutions on two meshes are compared row by row. */
-
-static double largest_displacement(const struct wf_beam *b)
-{
-    const struct wf_tree *t = b->mesh.tree;
-    double most = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        double d[3];
-        still_at(&b->mesh, i, d);
-        v3_add(d, -1, b->pose[b->mesh.last[i]].r);
-        most = fmax(most, wf_dot(d, d));
-    }
-    return sqrt(most);
-}
-
-/* Farthest end from the first base [m]. */
-static double tree_size(const struct wf_tree *t)
-{
-    double most = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        double d[3] = { t->x1[i] - t->x0[0], t->y1[i] - t->y0[0], t->z1[i] - t->z0[0] };
-        most = fmax(most, wf_dot(d, d));
-    }
-    return sqrt(most);
-}
-
-/* Number of rows on the longest path from the ground; the allowed error is divided by it. */
-static double longest_row_chain(const struct wf_tree *t, double *depth)
-{
-    double most = 1;
-    for (size_t i = 0; i < t->n; i++) {
-        depth[i] = 1 + (t->parent[i] >= 0 ? depth[t->parent[i]] : 0);
-        most = fmax(most, depth[i]);
-    }
-    return most;
-}
-
-/* Distributed load on each row as integrated on the mesh, 3n [N]. */
-static void row_loads(const struct wf_beam *b, double *load)
-{
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        double sum[3] = { 0, 0, 0 };
-        for (int32_t k = b->mesh.first[i]; k <= b->mesh.last[i]; k++) {
-            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, b->load[k][j]);
-        }
-        memcpy(load + 3 * i, sum, sizeof sum);
-    }
-}
-
-/* Estimated error of each row's load relative to the base reaction, assumed to fall with the power 1.3 of
- * the piece length: wind near the ground grows with a low power of height, and a load with a kink inside a
- * row converges no faster. */
-static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
-                         const double *now, double *share)
-{
-    double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
-    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
-        double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i), d[3];
-        for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
-        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, 1.3) - 1) : 0;
-        sum += share[i];
-    }
-    return sum;
-}
-
-/* New number of pieces per row. Rows above their share of the error target are refined; none is coarsened,
- * so the carried-over shape is a valid Newton start. off = load error / allowed; above 1 the rows that cause
- * most of it (`bear`) are refined too. */
-static void choose_pieces(const struct wf_beam *b, const double *share, double target, const double *bear,
-                          double off, int32_t *pieces)
-{
-    double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
-    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        int32_t now = wf_beam_pieces(&b->mesh, i);
-        double want = pow(share[i] / target, 0.25);
-        if (bear[i] > 0.1 * most) want = fmax(want, more);
-        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), now), 64.0 * now);
-    }
-}
-
-enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, struct wf_beam_check *c,
-                                  struct wf_err *e)
-{
-    *c = (struct wf_beam_check){ .reach = WF_TAKE(a, t->n, double),
-                                 .share = WF_TAKE(a, t->n, double),
-                                 .bear = WF_TAKE(a, t->n, double),
-                                 .before = WF_TAKE(a, 3 * t->n, double),
-                                 .load = WF_TAKE(a, 3 * t->n, double) };
-    if (!c->reach || !c->share || !c->bear || !c->before || !c->load)
-        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    c->depth = longest_row_chain(t, c->share);
-    tree_reach(t, c->reach);
-    return WF_OK;
-}
-
-/* Is the turn of the tree's tip, whose thin end bends most, that of a finer mesh? */
-static bool tip_agrees(const struct wf_beam *coarse, const struct wf_beam *fine, size_t tip)
-{
-    double R[9], off[3], turn[3];
-    const double limit = 1e-3, *L = fine->pose[fine->mesh.last[tip]].L;
-    m3_mul_transposed(coarse->pose[coarse->mesh.last[tip]].L, L, R);
-    rotation_vector(R, off), rotation_vector(L, turn);
-    return wf_dot(off, off) <= limit * limit * wf_dot(turn, turn) + 1e-20;
-}
-
-bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
-                         int32_t *pieces)
-{
-    const double safety = 0.25;
-    const double rounding = 1e-12; /* relative to the tree's size: positions are no more accurate than this,
-                                      so a tree that hardly moves converges too */
-    const struct wf_tree *t = fine->mesh.tree;
-    double allowed = fine->options->mesh_tolerance * safety;
-    double target = fmax(allowed * largest_displacement(fine), rounding * tree_size(t));
-    double error = beam_mesh_error(coarse, fine, c->reach, c->share);
-    double reactions = load_error(coarse, fine, c->before, c->load, c->bear);
-    memcpy(c->before, c->load, 3 * t->n * sizeof *c->load);
-    const size_t tip = wf_tip_row(t);
-    bool turns = tip_agrees(coarse, fine, tip);
-    if (error <= target && reactions <= allowed && turns) return true;
-    choose_pieces(fine, c->share, target / c->depth, c->bear, reactions / allowed, pieces);
-    if (!turns) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
-    return false;
-}
-
 /* Memory of two meshes: of the newer, and of the shape of the one before, with which it is compared. */
 struct two_meshes {
     struct wf_arena before, shape, newton;
@@ -372,9 +146,43 @@ static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near,
     follow.iterations_max = FOLLOW_ITERATIONS;
     wf_beam_carry(near, b);
     b->options = &follow;
-    bool rests = wf_beam_rests(b) || wf_beam_settle_parts(b, newton);
+    b->hasty = true;
+    bool rests = wf_beam_rests(b);
+    b->hasty = false;
+    rests = rests || wf_beam_settle_parts(b, newton);
     b->options = own;
     return rests ? WF_OK : wf_beam_step_to_rest(b, newton, out, e);
+}
+
+/* The first of the meshes, and its solution: half as fine as that of `from`, from whose shape Newton's method
+ * converges there soon or not at all, else the same; without it the first mesh. */
+static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads *l,
+                                  const struct wf_solve_options *o, const struct wf_beam *from,
+                                  const struct wf_beam *near, struct two_meshes *m, int32_t *pieces,
+                                  struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
+{
+    enum { SOON = 12 };
+    const int32_t first = wf_beam_first_pieces(t, o);
+    struct wf_solve_options soon = *o;
+    soon.iterations_max = SOON;
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t half = from ? (wf_beam_pieces(&from->mesh, i) + 1) / 2 : first;
+        pieces[i] = half > first ? half : first;
+    }
+    enum wf_status s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
+    if (s || !from) return s ? s : settle_near(b, near, &m->newton, out, e);
+    wf_beam_carry(from, b);
+    *out = (struct wf_beam_outcome){ .load_factor = 1 };
+    b->options = &soon, b->hasty = true;
+    bool rests = wf_beam_rests(b);
+    b->options = o, b->hasty = false;
+    if (rests) return WF_OK;
+    wf_arena_free(&m->shape), wf_arena_free(&m->newton);
+    for (size_t i = 0; i < t->n; i++) pieces[i] = wf_beam_pieces(&from->mesh, i);
+    s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
+    if (s) return s;
+    wf_beam_carry(from, b);
+    return settle_near(b, near, &m->newton, out, e);
 }
 
 static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,
@@ -386,18 +194,13 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     struct wf_beam_check check;
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    int32_t start = wf_beam_first_pieces(t, o);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
-
-    enum wf_status status = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
-    if (!status && from) wf_beam_carry(from, b);
-    if (!status) status = settle_near(b, near, &m->newton, out, e);
+    enum wf_status status = solve_first(t, l, o, from, near, m, pieces, b, out, e);
     if (status || !(o->mesh_tolerance > 0)) return status;
 
     status = wf_beam_check_make(t, work, &check, e);
     if (status) return status;
-    row_loads(b, check.before);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
+    wf_beam_row_loads(b, check.before);
+    for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
     for (int mesh = 1; mesh < MESHES; mesh++) {
         struct wf_beam fine;
         struct wf_beam_outcome again;
@@ -412,7 +215,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
         if (status || again.beyond_limit) *out = again;
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
-        row_loads(&fine, check.load);
+        wf_beam_row_loads(&fine, check.load);
         bool met = wf_beam_check_meets(b, &fine, &check, pieces);
         *b = fine;
         if (met) break;
@@ -420,49 +223,16 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     return WF_OK;
 }
 
-enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, struct wf_err *e)
-{
-    const struct wf_tree *t = b->mesh.tree;
-    struct wf_arena work = { 0 };
-    struct wf_beam fine;
-    int32_t *pieces = WF_TAKE(&work, t->n, int32_t);
-    double *reach = WF_TAKE(&work, t->n, double), *share = WF_TAKE(&work, t->n, double),
-           *load = WF_TAKE(&work, 6 * t->n, double);
-    enum wf_status s = pieces && reach && share && load
-                           ? WF_OK
-                           : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    *meets = false;
-    for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * wf_beam_pieces(&b->mesh, i);
-    if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
-    if (!s) {
-        wf_beam_carry(b, &fine);
-        wf_beam_sweep_up(&fine);
-        fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
-        if (wf_beam_step(&fine, NULL)) {
-            tree_reach(t, reach);
-            row_loads(b, load);
-            row_loads(&fine, load + 3 * t->n);
-            /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
-            double error = 16 * beam_mesh_error(b, &fine, reach, share);
-            double reactions = pow(2, 1.3) * load_error(b, &fine, load, load + 3 * t->n, share);
-            *meets = error <= tolerance * largest_displacement(&fine) && reactions <= tolerance &&
-                     tip_agrees(b, &fine, wf_tip_row(t));
-        }
-    }
-    wf_arena_free(&work);
-    return s;
-}
-
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, const struct wf_beam *from,
-                             const struct wf_beam *near, struct wf_arena *work, struct wf_beam *b,
-                             struct wf_beam_outcome *out, struct wf_err *e)
+                             const struct wf_beam *near, struct wf_arena *work, struct wf_arena *newton,
+                             struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
 {
     struct two_meshes m = { 0 };
     enum wf_status status = solve_on_meshes(t, l, o, from, near, work, &m, b, out, e);
     wf_arena_free(&m.before);
     wf_arena_join(work, &m.shape);
-    wf_arena_join(work, &m.newton);
+    wf_arena_join(newton, &m.newton);
     return status;
 }
 
@@ -494,7 +264,7 @@ static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads 
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     if (status) return status;
     status = wf_solve_check(t, l, d, e);
-    if (!status) status = wf_beam_solve(t, l, o, NULL, NULL, &work, &b, &out, e);
+    if (!status) status = wf_beam_solve(t, l, o, NULL, NULL, &work, &work, &b, &out, e);
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;
     if (!status) wf_beam_warn(&b, &out, d);

@@ -78,14 +78,16 @@ static void load_links(struct wf_beam *b)
 void wf_beam_ends_load(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
-    memset(b->wrench, 0, b->mesh.n * sizeof *b->wrench);
-    if (b->mesh.mass1)
-        for (size_t i = 0; i < b->mesh.n; i++)
-            b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
+    for (size_t k = 0; k < wf_beam_moving(b); k++) {
+        size_t i = wf_beam_moved(b, k);
+        b->wrench[i] = (struct wf_beam_wrench){ { 0 }, { 0 } };
+        if (b->mesh.mass1) b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
+    }
     for (size_t k = 0; k < l->points; k++) {
         const struct wf_point_load *q = &l->point[k];
         size_t i = end_of_row(b, q->segment);
         double f[3], m[3];
+        if (wf_beam_held(b, i)) continue;
         memcpy(f, q->force, sizeof f), memcpy(m, q->moment, sizeof m);
         if (q->kind == WF_POINT_FOLLOWER) m3_apply(b->pose[i].L, f, f), m3_apply(b->pose[i].L, m, m);
         v3_add(b->wrench[i].n, l->point_scale, f);
@@ -94,6 +96,7 @@ void wf_beam_ends_load(struct wf_beam *b)
     for (size_t k = 0; k < l->ties; k++) {
         size_t i = end_of_row(b, l->tie[k].segment);
         double f[3];
+        if (wf_beam_held(b, i)) continue;
         (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, NULL);
         v3_add(b->wrench[i].n, 1, f);
     }
@@ -104,11 +107,11 @@ void wf_beam_ends_load(struct wf_beam *b)
 void wf_beam_ends_react(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
-    memset(b->node, 0, b->mesh.n * sizeof *b->node);
+    for (size_t k = 0; k < wf_beam_moving(b); k++) memset(&b->node[wf_beam_moved(b, k)], 0, sizeof *b->node);
     for (size_t k = 0; k < l->points; k++) {
         const struct wf_point_load *q = &l->point[k];
-        if (q->kind != WF_POINT_FOLLOWER || b->frozen) continue;
         size_t i = end_of_row(b, q->segment);
+        if (q->kind != WF_POINT_FOLLOWER || b->frozen || wf_beam_held(b, i)) continue;
         double f[3], m[3], N[9] = { 0 }, M[9] = { 0 };
         m3_apply(b->pose[i].L, q->force, f), m3_apply(b->pose[i].L, q->moment, m);
         m3_add_cross(N, -l->point_scale, f), m3_add_cross(M, -l->point_scale, m);
@@ -121,6 +124,7 @@ void wf_beam_ends_react(struct wf_beam *b)
     for (size_t k = 0; k < l->ties; k++) {
         size_t i = end_of_row(b, l->tie[k].segment);
         double f[3], by[9];
+        if (wf_beam_held(b, i)) continue;
         (void)wf_tie_pull(&l->tie[k], b->pose[i].r, f, by);
         for (int r = 0; r < 9; r++) b->node[i].K[r / 3][r % 3] += by[r];
     }
@@ -297,10 +301,9 @@ static void correct_path(struct wf_beam *b)
     for (size_t k = x->below; k-- > 0;) {
         size_t i = (size_t)x->path[k];
         const struct wf_beam_part *p = &b->mesh.part[i];
-        bool still = b->held && b->held[i], on_held = b->held && p->parent >= 0 && b->held[p->parent];
         for (int r = 0; r < 6; r++) {
-            double sum = still ? 0 : b->node[i].k[r];
-            for (int c = 0; c < 6 && !still && !on_held; c++)
+            double sum = b->node[i].k[r];
+            for (int c = 0; c < 6; c++)
                 sum += b->node[i].K[r][c] *
                        (p->parent >= 0 ? b->sides[p->parent].y[c][0] : b->root_change[p->row][c]);
             b->sides[i].y[r] = (wf_four){ sum, 0, 0, 0 };
@@ -382,7 +385,6 @@ void wf_beam_links_stretch(struct wf_beam *b, double share)
     }
     for (size_t k = 0; k < x->below && x->stretched; k++) {
         struct wf_beam_shape *u = &b->shape[x->path[k]];
-        if (b->held && b->held[x->path[k]]) continue;
         memcpy(u->g, x->before[k], sizeof u->g); /* a sweep at another share may have changed it */
         for (int j = 0; j < 2; j++) v3_add(u->g[j], x->share, x->step[k][j]);
     }

@@ -28,7 +28,8 @@ enum wf_status wf_beam_links_take(struct wf_beam *b, struct wf_arena *a, struct 
                                   struct wf_err *e);
 /* After a sweep down: add the energy of the gaps to b->misfit.bending. With `tangent`, add the stiffness of
  * the links to the tangent that was just eliminated: to the correction (b->answer, b->node, b->root_step,
- * b->root_change) and to the number of unstable directions (count may be NULL). false: it is singular. */
+ * b->root_change) and to the number of unstable directions (count may be NULL). false: it is singular. All
+ * elements move. */
 bool wf_beam_links_join(struct wf_beam *b, bool tangent, struct wf_beam_stability *count);
 /* Start forces on a mesh from those on another one. */
 void wf_beam_links_carry(const struct wf_beam *from, struct wf_beam *to);

@@ -95,4 +95,11 @@ int32_t wf_beam_first_pieces(const struct wf_tree *tree, const struct wf_solve_o
 
 /* Position [m] and unit tangent of the unloaded axis at arc fraction s (0..1) of row i. */
 void wf_row_axis(const struct wf_tree *tree, size_t i, double s, double position[3], double tangent[3]);
+/* Where the end of row i is before it moves [m]. */
+static inline void wf_beam_still_at(const struct wf_beam_mesh *m, size_t i, double place[3])
+{
+    const struct wf_tree *t = m->tree;
+    const double drawn[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    memcpy(place, m->still ? m->still[i] : drawn, sizeof drawn);
+}
 #endif

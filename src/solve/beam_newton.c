@@ -5,6 +5,7 @@
 #include "solve/beam_eliminate.h"
 #include "solve/beam_ends.h"
 #include "solve/beam_lanes.h"
+#include "solve/beam_parts.h"
 #include "solve/beam_rest.h"
 #include "solve/beam_team.h"
 #include <float.h>
@@ -23,22 +24,20 @@ const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struc
     return ground;
 }
 
-static bool held(const struct wf_beam *b, size_t i) { return b->held && b->held[i]; }
-
 /* Does the element stand on one that is held? */
 static bool on_held(const struct wf_beam *b, size_t i)
 {
     int32_t below = b->mesh.part[i].parent;
-    return b->held && below >= 0 && b->held[below];
+    return b->only && below >= 0 && b->only->held[below];
 }
 
 /* Are the elements that do not stand on the ground computed by groups? */
-static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->held && !(b->creep > 0); }
+static bool by_groups(const struct wf_beam *b) { return b->groups.n && !b->only && !(b->creep > 0); }
 
 /* A stem by itself is computed beside those of other jobs. */
 static bool in_team(const struct wf_beam *b)
 {
-    return b->chain && wf_abreast_inside() && !b->held && !(b->creep > 0) && !b->off && !b->weak &&
+    return b->chain && wf_abreast_inside() && !b->only && !(b->creep > 0) && !b->off && !b->weak &&
            !b->loads.ties && !b->loads.links;
 }
 
@@ -65,10 +64,12 @@ void wf_beam_sweep_up(struct wf_beam *b)
     struct wf_beam_pose ground;
     const bool groups = by_groups(b), many = groups || in_team(b);
     b->counted = false;
-    for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i) && !(many && b->mesh.part[i].parent >= 0))
+    for (size_t k = 0; k < wf_beam_moving(b); k++) {
+        size_t i = wf_beam_moved(b, k);
+        if (!(many && b->mesh.part[i].parent >= 0))
             wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
                           &b->pose[i]);
+    }
     if (many) {
         struct wf_groups_sweep all = groups_of(b);
         if (groups)
@@ -76,8 +77,8 @@ void wf_beam_sweep_up(struct wf_beam *b)
         else
             wf_beam_team_up(&all);
     }
-    for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
-        if (held(b, i)) continue;
+    for (size_t k = 0; b->flat && k < wf_beam_moving(b); k++) {
+        size_t i = wf_beam_moved(b, k);
         b->flat[i] = b->mesh.flat[i];
         wf_beam_turn(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->flat[i]);
     }
@@ -86,8 +87,8 @@ void wf_beam_sweep_up(struct wf_beam *b)
 /* Off-axis weight at the present load scale. */
 static void set_side_weight(struct wf_beam *b)
 {
-    for (size_t i = 0; b->flat && i < b->mesh.n; i++)
-        b->flat[i].weight = b->loads.weight_scale * b->loads.gravity;
+    for (size_t k = 0; b->flat && k < wf_beam_moving(b); k++)
+        b->flat[wf_beam_moved(b, k)].weight = b->loads.weight_scale * b->loads.gravity;
 }
 
 static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
@@ -162,22 +163,24 @@ struct ahead {
     struct wf_line_load load[AHEAD][2];
 };
 
-/* The loads of element i and of those that follow it on the way down. */
-static void load_ahead(const struct wf_beam *b, size_t i, struct ahead *a)
+/* The loads of the k-th element that moves and of those that follow it on the way down. */
+static void load_ahead(const struct wf_beam *b, size_t k, struct ahead *a)
 {
     struct wf_lanes_point point[2 * AHEAD];
     size_t points = 0;
-    for (size_t k = i + 1; k-- > 0 && points < 2 * a->most;)
-        for (int j = 0; j < 2 && !held(b, k); j++)
-            point[points++] = (struct wf_lanes_point){ b->stage[k].r[j], b->stage[k].t[j],
-                                                       b->mesh.part[k].dead[j], &b->mesh.part[k].line[j] };
+    for (k++; k-- > 0 && points < 2 * a->most;) {
+        size_t i = wf_beam_moved(b, k);
+        for (int j = 0; j < 2; j++)
+            point[points++] = (struct wf_lanes_point){ b->stage[i].r[j], b->stage[i].t[j],
+                                                       b->mesh.part[i].dead[j], &b->mesh.part[i].line[j] };
+    }
     a->kernel->loads(&b->loads, points, point, &a->load[0][0]);
     a->n = points / 2, a->used = 0;
 }
 
-static struct wf_line_load *load_of(const struct wf_beam *b, size_t i, struct ahead *a)
+static struct wf_line_load *load_of(const struct wf_beam *b, size_t k, struct ahead *a)
 {
-    if (a->used == a->n) load_ahead(b, i, a);
+    if (a->used == a->n) load_ahead(b, k, a);
     struct wf_line_load *load = a->load[a->used++];
     for (int j = 0; j < 2 && b->frozen; j++)
         memset(load[j].by_place, 0, sizeof load[j].by_place),
@@ -205,22 +208,22 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     const double *first = wf_beam_base(b, 0, &lowest)->r;
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
-    b->misfit = (struct wf_beam_misfit){ 0 };
-    b->counted = false;
+    b->misfit = (struct wf_beam_misfit){ 0 }, b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
-    if (!b->held) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
+    if (!b->only) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     wf_beam_ends_load(b);
     set_side_weight(b);
     if (tangent) wf_beam_ends_react(b);
     if (groups && !many_down(b, tangent, guard, count)) return false;
-    for (size_t i = b->mesh.n; i-- > 0;) {
-        if (held(b, i) || (groups && b->mesh.part[i].parent >= 0)) continue;
+    for (size_t k = wf_beam_moving(b); k-- > 0;) {
+        const size_t i = wf_beam_moved(b, k);
+        if (groups && b->mesh.part[i].parent >= 0) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
         const struct wf_beam_creep slow = { b->creep, (const double(*)[3])(b->creep > 0 ? b->k0[i] : NULL) };
         const struct wf_beam_creep *creep = b->creep > 0 ? &slow : NULL;
-        struct wf_line_load *load = load_of(b, i, &ahead);
+        struct wf_line_load *load = load_of(b, k, &ahead);
         struct wf_beam_wrench at[2], down;
         struct wf_beam_reaction root = { { { 0 } }, { 0 } };
         bool grounded = p->parent < 0, cut = on_held(b, i);
@@ -252,7 +255,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
         if (count && count->negative > unstable) count->bears = INFINITY;
     }
-    if (b->links && !wf_beam_links_join(b, tangent, count)) return false;
+    if (b->links && !b->only && !wf_beam_links_join(b, tangent, count)) return false;
     if (count) b->stability = *count;
     b->counted = count && isfinite(b->misfit.bending);
     return isfinite(b->misfit.bending);
@@ -260,15 +263,23 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 
 /* The beam and Newton's method. */
 
-/* What Newton's method works with. */
+/* What Newton's method works with, which writes all before it reads it. */
 static bool take_newton(struct wf_beam *b, struct wf_arena *a)
 {
-    size_t n = b->mesh.n;
-    b->node = WF_TAKE(a, n, struct wf_beam_reaction);
-    b->answer = WF_TAKE(a, n, struct wf_beam_answer);
-    b->change = wf_arena_take(a, n, sizeof *b->change);
-    b->dv = wf_arena_take(a, n, sizeof *b->dv);
-    return b->node && b->answer && b->change && b->dv;
+    const size_t n = b->mesh.n;
+    struct wf_beam_only *p = &b->part;
+    b->node = wf_arena_take_unset(a, n, sizeof *b->node);
+    b->answer = wf_arena_take_unset(a, n, sizeof *b->answer);
+    b->change = wf_arena_take_unset(a, n, sizeof *b->change);
+    b->dv = wf_arena_take_unset(a, n, sizeof *b->dv);
+    if (!b->chain) b->off = wf_arena_take_unset(a, n, sizeof *b->off);
+    p->id = wf_arena_take_unset(a, n, sizeof *p->id);
+    p->held = wf_arena_take_unset(a, n, sizeof *p->held);
+    p->root = wf_arena_take_unset(a, n, sizeof *p->root);
+    p->place = wf_arena_take_unset(a, n, sizeof *p->place);
+    p->saved = wf_arena_take_unset(a, n, sizeof *p->saved);
+    return b->node && b->answer && b->change && b->dv && (b->chain || b->off) && p->id && p->held &&
+           p->root && p->place && p->saved;
 }
 
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
@@ -326,8 +337,8 @@ static double newton_corrections(struct wf_beam *b)
     static const double still[6];
     double most = 0;
     if (b->links) wf_beam_links_keep(b);
-    for (size_t i = 0; i < b->mesh.n; i++) {
-        if (held(b, i)) continue;
+    for (size_t k = 0; k < wf_beam_moving(b); k++) {
+        const size_t i = wf_beam_moved(b, k);
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
@@ -342,9 +353,11 @@ static double newton_corrections(struct wf_beam *b)
 
 static void apply_correction(struct wf_beam *b, double share)
 {
-    for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2 && !held(b, i); j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
-    for (size_t i = 0; i < b->mesh.tree->n && !b->held; i++)
+    for (size_t k = 0; k < wf_beam_moving(b); k++) {
+        size_t i = wf_beam_moved(b, k);
+        for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
+    }
+    for (size_t i = 0; i < b->mesh.tree->n && !b->only; i++)
         if (b->mesh.tree->parent[i] < 0) v3_add(b->tilt[i], share, b->root_step[i]);
     if (b->links) wf_beam_links_stretch(b, share);
     wf_beam_sweep_up(b);
@@ -355,16 +368,114 @@ static void apply_correction(struct wf_beam *b, double share)
 static double stability_margin(const struct wf_beam *b)
 {
     double turn = 0;
-    for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2 && !held(b, i); j++)
-            turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
+    for (size_t k = 0; k < wf_beam_moving(b); k++)
+        for (int j = 0; j < 2; j++) {
+            const double *v = b->shape[wf_beam_moved(b, k)].v[j];
+            turn = fmax(turn, wf_dot(v, v));
+        }
     return 1e-6 + 0.5 * turn;
+}
+
+/* ---- Small parts by themselves ---- */
+
+/* Square of the residual over the energy. */
+static double relative(const struct wf_beam *b) { return b->misfit.bending / b->misfit.energy; }
+
+static enum wf_status newton(struct wf_beam *b, bool watch);
+
+/* A larger part, of which some twig may take its time: with line search. */
+static bool newton_search(struct wf_beam *b)
+{
+    enum { MOST = 8 };
+    const struct wf_solve_options *own = b->options;
+    struct wf_solve_options some = *own;
+    some.iterations_max = MOST, some.tolerance = 1e-3;
+    b->options = &some;
+    bool found = !newton(b, false);
+    b->options = own;
+    return found;
+}
+
+/* A small part by itself by whole steps of Newton's method, of which only the turn of each element is
+ * limited: a twig that turns over passes states that are farther from equilibrium. Where it does not converge
+ * it is as before. */
+static bool newton_of_part(struct wf_beam *b, void *context)
+{
+    enum { MOST = 16 };
+    const double close = 1e-6; /* square of the residual, relative */
+    const size_t large = 100;  /* elements */
+    (void)context;
+    if (b->only->n > large) return newton_search(b);
+    for (size_t k = 0; k < b->only->n; k++)
+        memcpy(b->part.saved[b->only->id[k]][1], b->shape[b->only->id[k]].v, sizeof b->part.saved[0][1]);
+    wf_beam_sweep_up(b);
+    b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
+    bool finite = wf_beam_sweep_down(b, true, NULL);
+    for (; finite && b->iterations < MOST && relative(b) > close; b->iterations++) {
+        finite = isfinite(newton_corrections(b));
+        if (!finite) break;
+        apply_correction(b, 1);
+        finite = wf_beam_sweep_down(b, true, NULL);
+    }
+    if (finite && relative(b) <= close) return true;
+    for (size_t k = 0; k < b->only->n; k++)
+        memcpy(b->shape[b->only->id[k]].v, b->part.saved[b->only->id[k]][1], sizeof b->part.saved[0][1]);
+    wf_beam_sweep_up(b);
+    return false;
+}
+
+/* Newton's method of each small part by itself where `least` of the residual is in few elements: one twig
+ * that turns over would shorten the steps of the whole tree. Before it they are set back by `share` of their
+ * last corrections. Returned: were there such parts? */
+static bool relax_parts(struct wf_beam *b, double least, double few, double share)
+{
+    enum { FAILED = 4 };
+    const double slight = 0.1, effort = 1;
+    const double elements = (double)b->mesh.n;
+    if (b->only || b->creep > 0 || b->tries <= 0) return false;
+    struct wf_beam_parts parts = wf_beam_find_parts(b, slight);
+    if (parts.share < least || !parts.n || (double)parts.n > few * elements) return false;
+    b->part.n = parts.n;
+    for (size_t k = 0; k < parts.n; k++) {
+        size_t i = (size_t)b->part.id[k];
+        double(*saved)[6] = b->part.saved[i];
+        memcpy(saved[0], b->shape[i].v, sizeof saved[0]);
+        memcpy(saved[2], b->dv[i], sizeof saved[2]);
+        for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], -share, b->dv[i][j]);
+    }
+    b->tries -= wf_beam_each_part(b, parts.n, effort * elements, newton_of_part, NULL) ? 1 : FAILED;
+    wf_beam_sweep_up(b);
+    return true;
+}
+
+/* As it was before relax_parts. */
+static void put_back_parts(struct wf_beam *b)
+{
+    for (size_t k = 0; k < b->part.n; k++) {
+        size_t i = (size_t)b->part.id[k];
+        memcpy(b->shape[i].v, b->part.saved[i][0], sizeof b->shape[i].v);
+        memcpy(b->dv[i], b->part.saved[i][2], sizeof b->dv[i]);
+    }
+    wf_beam_sweep_up(b);
 }
 
 static bool step_reduces(const struct wf_beam *b, const struct wf_beam_misfit *before, double share)
 {
     return b->misfit.bending <= before->bending * (1 - 1e-4 * share) ||
            b->misfit.bending <= 1e-24 * b->misfit.energy; /* at rounding */
+}
+
+/* The whole step, of which the blocking small parts are taken out: they go on from where they were. false:
+ * the residual does not fall so; all is as before. */
+static bool step_without_parts(struct wf_beam *b, const struct wf_beam_misfit *before, double share)
+{
+    const double least = 0.5, few = 0.05;
+    if (!relax_parts(b, least, few, share)) return false;
+    const struct wf_beam_misfit tried = b->misfit;
+    if (wf_beam_sweep_down(b, true, NULL) && step_reduces(b, before, share)) return true;
+    put_back_parts(b);
+    b->misfit = tried;
+    return false;
 }
 
 /* One Newton step, halved until the residual falls. With `watch`, unstable directions are counted in
@@ -388,7 +499,10 @@ static bool newton_step(struct wf_beam *b, bool watch)
         done = share;
         if (last) count.margin = stability_margin(b);
         if (!wf_beam_sweep_down(b, whole, whole && last ? &count : NULL)) continue;
-        if (!step_reduces(b, &before, share)) continue;
+        if (!step_reduces(b, &before, share)) {
+            if (whole && step_without_parts(b, &before, share)) return true;
+            continue;
+        }
         if (whole) return true;
         b->misfit = tried; /* the guard of the sweep looks at it */
         if (wf_beam_sweep_down(b, true, last ? &count : NULL)) return true;
@@ -403,10 +517,20 @@ static bool newton_converged(const struct wf_beam *b)
     return b->misfit.bending <= t * t * b->misfit.energy && b->misfit.strain <= t * b->misfit.turn + rounding;
 }
 
+/* Is the residual that of small parts, and does it hardly fall? `was`: before the last step. */
+static bool stalls(const struct wf_beam *b, double was)
+{
+    const double small = 1e-3, hardly = 0.8;
+    return was <= small && relative(b) > hardly * was && !newton_converged(b);
+}
+
 static enum wf_status newton(struct wf_beam *b, bool watch)
 {
     enum { STALL = 16 }; /* where the square of the residual has not halved in so many, it seldom converges */
-    double before = INFINITY;
+    enum { TRIES = 8 };
+    const double nearly = 0.8, few = 0.5;
+    double before = INFINITY, relaxed_at = INFINITY;
+    if (!b->only) b->tries = b->off && !b->links ? TRIES : 0;
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
@@ -416,41 +540,18 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
             before = b->misfit.bending;
         }
         b->iterations++;
+        double was = relative(b);
         if (!newton_step(b, watch)) return WF_ENOCONV;
+        if (b->hasty && stalls(b, was)) return WF_ENOCONV;
+        if (!(relative(b) > 0.25 * was && relative(b) < 0.25 * relaxed_at) || newton_converged(b)) continue;
+        if (!relax_parts(b, nearly, few, 0)) continue;
+        relaxed_at = relative(b);
+        if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
     }
     return newton_converged(b) ? WF_OK : WF_ENOCONV;
 }
 
 enum wf_status wf_beam_newton(struct wf_beam *b) { return newton(b, false); }
-
-/* Fallbacks that reach equilibrium at full load, or report that there is none; they always terminate. */
-
-enum { EFFORT = 300 }; /* Newton iterations allowed for load steps, and again for creep, before giving up */
-
-struct saved_shape {
-    struct wf_beam_shape *shape;
-    double (*tilt)[3];
-};
-
-static void save_shape(const struct wf_beam *b, struct saved_shape *s)
-{
-    memcpy(s->shape, b->shape, b->mesh.n * sizeof *b->shape);
-    memcpy(s->tilt, b->tilt, b->mesh.tree->n * sizeof *b->tilt);
-}
-
-static void restore_shape(struct wf_beam *b, const struct saved_shape *s)
-{
-    memcpy(b->shape, s->shape, b->mesh.n * sizeof *b->shape);
-    memcpy(b->tilt, s->tilt, b->mesh.tree->n * sizeof *b->tilt);
-}
-
-static void scale_loads(struct wf_beam *b, const struct wf_loads *full, double share)
-{
-    b->loads.wind_scale = share * full->wind_scale;
-    b->loads.weight_scale = share * full->weight_scale;
-    b->loads.point_scale = share * full->point_scale;
-    wf_beam_rest(&b->mesh, b->loads.gravity * b->loads.weight_scale);
-}
 
 /* A twig that may snap to another shape does not bring down the tree: parts that carry less than a hundredth
  * of the force on the ground are counted (loose), not refused. */
@@ -489,192 +590,4 @@ bool wf_beam_apart(const struct wf_beam *b)
         if (!follows) return true;
     }
     return false;
-}
-
-/* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
- * the load reached. */
-static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last)
-{
-    double share = 0, size = 0.25;
-    for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i)) b->shape[i] = (struct wf_beam_shape){ 0 };
-    if (!b->held) memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
-    save_shape(b, last);
-    size_t most = b->iterations + EFFORT;
-    while (share < 1 && size > 2e-4 && b->iterations < most) {
-        double next = fmin(1, share + size);
-        scale_loads(b, full, next);
-        if (wf_beam_rests(b)) {
-            share = next;
-            size *= 2;
-            b->steps++;
-            save_shape(b, last);
-        } else {
-            restore_shape(b, last);
-            size *= 0.5;
-        }
-    }
-    return share;
-}
-
-/* Perturb the shape by a small sideways bow, so that it can leave an unstable equilibrium. */
-static void perturb_shape(struct wf_beam *b)
-{
-    for (size_t i = 0; i < b->mesh.tree->n && !b->held; i++)
-        for (int j = 0; j < 2; j++)
-            if (b->options->root_stiffness[j] > 0) b->tilt[i][j] += j ? 2e-4 : 6e-5;
-    for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2 && !held(b, i); j++)
-            b->shape[i].v[j][1] += 1e-4 * (j + 1), b->shape[i].v[j][0] += 3e-5 * (j + 1);
-}
-
-/* Kelvin-Voigt creep under the full load: each step solves the tree with a section moment G^-1 (k + rate (k
- * - k_old)), an implicit Euler step of viscous motion of length 1/rate. If the step is short enough it has a
- * stable solution, however far away the elastic one is. (An unstable equilibrium of a longer step would lead
- * back to the shape that is to be left, and is refused.) The rate falls while the steps succeed; at rate 0
- * the elastic equilibrium remains. */
-static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
-{
-    double rate = 64;
-    size_t most = b->iterations + EFFORT;
-    b->tilt0 = last->tilt;
-    for (int k = 0; k < 400 && b->iterations < most; k++) {
-        save_shape(b, last);
-        for (size_t i = 0; i < b->mesh.n; i++) wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
-        b->creep = rate;
-        bool moved = wf_beam_rests(b);
-        b->creep = 0;
-        b->steps++;
-        if (!moved) {
-            restore_shape(b, last);
-            rate *= 4;
-            if (rate > 1e9) return false;
-            continue;
-        }
-        rate *= 0.6;
-        if (rate > 0.02) continue;
-        save_shape(b, last);
-        if (wf_beam_rests(b)) return true;
-        restore_shape(b, last);
-        if (rate < 1e-8)
-            rate = 1; /* ever slower creep has not left an unstable shape: start again with a fast step */
-    }
-    return false;
-}
-
-/* What the fallbacks need beside the beam. */
-struct fallback {
-    struct saved_shape last;
-    double *off;
-    bool *held;
-};
-
-static bool take_fallback(struct wf_beam *b, struct wf_arena *a, struct fallback *f)
-{
-    f->last.shape = WF_TAKE(a, b->mesh.n, struct wf_beam_shape);
-    f->last.tilt = wf_arena_take(a, b->mesh.tree->n, sizeof *f->last.tilt);
-    b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
-    f->off = WF_TAKE(a, b->mesh.n, double);
-    f->held = WF_TAKE(a, b->mesh.n, bool);
-    return f->last.shape && f->last.tilt && b->k0 && f->off && f->held;
-}
-
-static double carried(const struct wf_beam *b, size_t i)
-{
-    return sqrt(wf_dot(b->wrench[i].n, b->wrench[i].n));
-}
-
-/* The lowest element of the part that is to be settled with element i: it carries less than a hundredth of
- * the force on the ground or, where i itself carries more, hardly more than i. -1: the part would be a large
- * one. */
-static int32_t part_of(const struct wf_beam *b, size_t i, double force)
-{
-    const double small = 0.01, large = 0.2, hardly = 1.2;
-    const double limit = fmax(small * force, hardly * carried(b, i));
-    int32_t root = (int32_t)i, below;
-    if (!(carried(b, i) <= large * force)) return -1;
-    while ((below = b->mesh.part[root].parent) >= 0 && carried(b, (size_t)below) <= limit) root = below;
-    return below < 0 ? -1 : root;
-}
-
-/* Hold all but the parts in which Newton's residual is. false: they would be large. */
-static bool hold_the_rest(struct wf_beam *b, struct fallback *f)
-{
-    const double slight = 1e-3;
-    double most = 0;
-    b->off = f->off;
-    b->held = NULL;
-    wf_beam_sweep_up(b);
-    bool swept = wf_beam_sweep_down(b, true, NULL);
-    b->off = NULL;
-    if (!swept || b->misfit.bending > 1e-3 * b->misfit.energy) return false;
-    const double force = sqrt(wf_dot(b->base.n, b->base.n));
-    for (size_t i = 0; i < b->mesh.n; i++) most = fmax(most, f->off[i]), f->held[i] = true;
-    for (size_t i = 0; i < b->mesh.n; i++) {
-        if (!(f->off[i] >= slight * most)) continue;
-        int32_t root = part_of(b, i, force);
-        if (root < 0) return false;
-        f->held[root] = false;
-    }
-    for (size_t i = 0; i < b->mesh.n; i++) /* and all above them */
-        if (b->mesh.part[i].parent >= 0 && !f->held[b->mesh.part[i].parent]) f->held[i] = false;
-    return true;
-}
-
-/* Load steps, then creep. */
-static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struct fallback *f,
-                           struct wf_beam_outcome *out)
-{
-    out->load_factor = load_steps(b, full, &f->last);
-    if (out->load_factor >= 1) return true;
-    restore_shape(b, &f->last);
-    scale_loads(b, full, 1);
-    perturb_shape(b);
-    out->beyond_limit = true;
-    return creep_to_rest(b, &f->last);
-}
-
-/* Load steps of the parts that are not held, the motion of their bases given; where a part has no continuous
- * path to the full load, it falls to the shape that creep leads to. */
-static bool settle_free_parts(struct wf_beam *b, struct fallback *f)
-{
-    const struct wf_loads now = b->loads;
-    struct wf_beam_outcome out;
-    b->held = f->held;
-    bool moved = step_and_creep(b, &now, f, &out);
-    b->held = NULL;
-    b->loads = now;
-    return moved;
-}
-
-bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a)
-{
-    enum { ROUNDS = 4 };
-    struct fallback f = { 0 };
-    if (!take_fallback(b, a, &f)) return false;
-    for (int round = 0; round < ROUNDS && hold_the_rest(b, &f); round++) {
-        if (!settle_free_parts(b, &f)) return false;
-        if (wf_beam_rests(b)) return true;
-    }
-    return false;
-}
-
-enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
-                                    struct wf_err *e)
-{
-    const struct wf_loads full = b->loads;
-    struct fallback f = { 0 };
-    *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (!take_fallback(b, a, &f)) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
-    if (step_and_creep(b, &full, &f, out)) return WF_OK;
-    return wf_fail(e, WF_EUNSTABLE,
-                   "no stable equilibrium found at full load; the last one is at %.4g of the load",
-                   out->load_factor);
-}
-
-enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
-                              struct wf_err *e)
-{
-    *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    return wf_beam_rests(b) ? WF_OK : wf_beam_step_to_rest(b, a, out, e);
 }

@@ -23,28 +23,6 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
  * with the shape where it stalled. */
 enum wf_status wf_beam_newton(struct wf_beam *b);
 
-struct wf_beam_outcome {
-    double load_factor; /* largest share of the load with a stable equilibrium on the path from zero load */
-    bool beyond_limit;  /* the solution lies beyond a limit point: the tree fell over to it */
-};
-/* Equilibrium at the full load, by the first of these that succeeds: Newton from the present shape; load
- * steps; beyond a limit point, creep (each step minimises elastic energy plus a viscous term that fades).
- * Returned: WF_OK; WF_EUNSTABLE with *out giving the last load with a stable equilibrium; WF_ENOMEM. Always
- * terminates. */
-enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
-                              struct wf_err *e);
-
-/* The same where Newton's method has failed already. */
-enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
-                                    struct wf_err *e);
-
-/* Where Newton's method (wf_beam_rests) stalls because of a few twigs: load steps, or creep, of these alone,
- * the motion of their bases given; then Newton's method of the whole tree. Such a part carries at most a
- * fifth of the force on the ground. Given: the shape where it stalled; memory from `a`. Of several equilibria
- * of a twig it may find another than the path of the whole tree does. false: the tree does not come to rest
- * so. */
-bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a);
-
 /* Is the present equilibrium stable (after wf_beam_sweep_up)? Used by every solver that relies on the beam
  * solver. Unstable directions make the tree unstable unless the parts that have them carry less than a
  * hundredth of the force on the ground; such parts are counted in b->loose. */

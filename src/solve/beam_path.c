@@ -11,7 +11,7 @@ enum wf_status wf_beam_small_take(struct wf_beam *b, struct wf_arena *a, struct 
     return wf_fail(e, WF_ENOMEM, "not enough memory for the small motions of %zu elements", b->mesh.n);
 }
 
-static bool is_held(const struct wf_beam *b, int32_t i) { return b->held && i >= 0 && b->held[i]; }
+static bool is_held(const struct wf_beam *b, int32_t i) { return i >= 0 && wf_beam_held(b, (size_t)i); }
 
 /* Of an element of a path: its answer at a fixed base, and its wrench on the element below. */
 WF_INLINE void path_down(struct wf_beam *b, size_t i, wf_four ground[6])

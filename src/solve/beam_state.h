@@ -5,6 +5,15 @@
 #include "solve/beam_element.h"
 #include "solve/beam_groups.h"
 
+/* Elements that move while the others keep their place: with each all that stand on it. */
+struct wf_beam_only {
+    size_t n;
+    int32_t *id;           /* from the ground up */
+    bool *held;            /* per element of the mesh: it keeps its place */
+    int32_t *root, *place; /* work space, per element */
+    double (*saved)[3][6];
+};
+
 struct wf_beam_links;
 struct wf_beam {
     struct wf_beam_mesh mesh;
@@ -39,13 +48,25 @@ struct wf_beam {
     struct wf_beam_misfit misfit;       /* of the present shape */
     struct wf_beam_stability stability; /* of the present shape, where `counted` */
     bool counted;
-    const bool *held; /* per element: it keeps its place, with all below it; NULL: none does */
+    const struct wf_beam_only *only; /* the elements that move; NULL: all */
+    struct wf_beam_only part;        /* room for such a list */
     bool *weak;   /* per element: set where it is unstable with all above it, when that is counted; NULL: not
                      wanted */
-    double *off;  /* per element: gains its part of misfit.bending; NULL: not wanted */
+    double *off;  /* per element: its part of misfit.bending; NULL: a tree without branches */
     size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
+    bool hasty; /* what follows where Newton's method stalls takes less time than to wait for it */
+    int tries;  /* of small parts by themselves, left in this call of Newton's method */
 };
+
+/* The elements that move, from the ground up: how many, and which is the k-th; and does one keep its place?
+ */
+static inline size_t wf_beam_moving(const struct wf_beam *b) { return b->only ? b->only->n : b->mesh.n; }
+static inline size_t wf_beam_moved(const struct wf_beam *b, size_t k)
+{
+    return b->only ? (size_t)b->only->id[k] : k;
+}
+static inline bool wf_beam_held(const struct wf_beam *b, size_t i) { return b->only && b->only->held[i]; }
 
 /* Section of element i in the deformed state; NULL: it is round. */
 static inline const struct wf_beam_flat *wf_beam_flat_of(const struct wf_beam *b, size_t i)

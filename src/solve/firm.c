@@ -4,6 +4,7 @@
 #include "base/vec3.h"
 #include "data/section.h"
 #include "solve/beam_newton.h"
+#include "solve/beam_parts.h"
 #include "solve/beam_rest.h"
 
 enum { PASSES = 12 };
@@ -15,7 +16,6 @@ struct trial {
     double limit;  /* mass of a part that is stiffened [kg] */
     double *mass;  /* per row: of the row and all above it [kg] */
     bool *weak;    /* per element: unstable with all above it */
-    bool *held;    /* per element */
     bool *covered; /* per row: a weak row is above it */
     double load_factor;
 };
@@ -65,9 +65,9 @@ static double own_factor(struct trial *k, size_t foot)
     double low = 1e-3, high = k->load_factor;
     for (size_t i = 0; i < t->n; i++) {
         bool in = part_holds(t, foot, k->covered, i);
-        for (int32_t m = k->beam.mesh.first[i]; m <= k->beam.mesh.last[i]; m++) k->held[m] = !in;
+        for (int32_t m = k->beam.mesh.first[i]; m <= k->beam.mesh.last[i]; m++) k->beam.part.held[m] = !in;
     }
-    k->beam.held = k->held;
+    wf_beam_move_only(&k->beam);
     for (int i = 0; i < 24 && high - low > 1e-4 * high; i++) {
         double middle = sqrt(low * high);
         if (unstable(k, middle))
@@ -75,7 +75,7 @@ static double own_factor(struct trial *k, size_t foot)
         else
             low = middle;
     }
-    k->beam.held = NULL;
+    k->beam.only = NULL;
     return low;
 }
 
@@ -119,10 +119,10 @@ static enum wf_status stiffen_above(struct trial *k, size_t foot, bool *in, stru
     enum wf_status s = WF_OK;
     for (size_t i = 0; i < t->n; i++)
         for (int32_t m = k->beam.mesh.first[i]; m <= k->beam.mesh.last[i]; m++)
-            k->held[m] = k->mass[i] > k->limit;
-    k->beam.held = k->held;
+            k->beam.part.held[m] = k->mass[i] > k->limit;
+    wf_beam_move_only(&k->beam);
     (void)unstable(k, k->load_factor);
-    k->beam.held = NULL;
+    k->beam.only = NULL;
     memset(in, 0, t->n * sizeof *in);
     for (size_t m = 0; m < k->beam.mesh.n; m++)
         if (k->weak[m]) in[foot_of(k, (size_t)k->beam.mesh.part[m].row)] = true;
@@ -174,8 +174,7 @@ static enum wf_status take_trial(struct trial *k, const struct wf_solve_options 
     k->mass = WF_TAKE(work, t->n, double);
     k->covered = WF_TAKE(work, t->n, bool);
     k->weak = WF_TAKE(work, k->beam.mesh.n, bool);
-    k->held = WF_TAKE(work, k->beam.mesh.n, bool);
-    if (!k->mass || !k->covered || !k->weak || !k->held)
+    if (!k->mass || !k->covered || !k->weak)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     k->beam.weak = k->weak;
     weigh(t, k->mass);

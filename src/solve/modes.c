@@ -201,10 +201,16 @@ static void read_shapes(struct sway *s, size_t many, double *shape)
     }
 }
 
-/* Frequencies on the beam's mesh, and what is wanted of their motions, to a tolerance: shape and kept may be
- * NULL. */
-static enum wf_status modes_on(struct wf_beam *b, size_t count, double tolerance, struct wf_arena *work,
-                               double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
+/* How well the motions are found. */
+struct effort {
+    double tolerance;
+    size_t most; /* vectors; 0: as many as it takes */
+};
+
+/* Frequencies on the beam's mesh, and what is wanted of their motions: shape and kept may be NULL. */
+static enum wf_status modes_on(struct wf_beam *b, size_t count, const struct effort *effort,
+                               struct wf_arena *work, double *frequency, double *shape,
+                               struct wf_modes_kept *kept, struct wf_err *e)
 {
     struct sway s;
     size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
@@ -216,7 +222,12 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, double tolerance
     size_t *order = WF_TAKE(work, count, size_t);
     if (!value || ((shape || kept) && !vector) || !order)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
-    struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = tolerance };
+    struct wf_lanczos l = { .size = size,
+                            .apply = sway,
+                            .ctx = &s,
+                            .wanted = count,
+                            .tolerance = effort->tolerance,
+                            .most = effort->most };
     if ((status = wf_lanczos(&l, value, vector, work, e))) return status;
     order_by_frequency(value, order, count);
     if (kept && (status = keep_turns(&s, vector, order, count, work, kept, e))) return status;
@@ -247,10 +258,10 @@ static bool choose_finer_mesh(const double *coarse, const double *fine, size_t c
     return true;
 }
 
-static enum wf_status modes_within(double tolerance, const struct wf_tree *t, const struct wf_loads *l,
-                                   const struct wf_solve_options *o, size_t count, struct wf_arena *a,
-                                   double *frequency, double *shape, struct wf_modes_kept *kept,
-                                   struct wf_err *e)
+static enum wf_status modes_within(const struct effort *effort, const struct wf_tree *t,
+                                   const struct wf_loads *l, const struct wf_solve_options *o, size_t count,
+                                   struct wf_arena *a, double *frequency, double *shape,
+                                   struct wf_modes_kept *kept, struct wf_err *e)
 {
     enum { MESHES = 6 };
     struct wf_arena work = { 0 };
@@ -267,7 +278,7 @@ static enum wf_status modes_within(double tolerance, const struct wf_tree *t, co
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
         if (!status) status = find_equilibrium(&b, &work, e);
         if (!status && kept) status = keep_equilibrium(&b, pieces, count, a, kept, e);
-        if (!status) status = modes_on(&b, count, tolerance, &work, frequency, shape, kept, e);
+        if (!status) status = modes_on(&b, count, effort, &work, frequency, shape, kept, e);
         if (status || !(o->mesh_tolerance > 0)) break;
         if (mesh == 0)
             for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
@@ -282,19 +293,19 @@ static enum wf_status modes_within(double tolerance, const struct wf_tree *t, co
     return status;
 }
 
-static const double rough = 1e-5, sharp = 1e-8; /* of motions */
+static const struct effort rough = { 1e-5, 0 }, sharp = { 1e-8, 0 };
 
 enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, size_t count, struct wf_arena *a,
                              double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
-    return modes_within(sharp, t, l, o, count, a, frequency, shape, kept, e);
+    return modes_within(&sharp, t, l, o, count, a, frequency, shape, kept, e);
 }
 
 enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
                         size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e)
 {
-    return modes_within(rough, t, l, o, count, a, frequency, shape, NULL, e);
+    return modes_within(&rough, t, l, o, count, a, frequency, shape, NULL, e);
 }
 
 /* A beam in the equilibrium that was kept. */
@@ -402,7 +413,7 @@ static int widest_band(const struct ritz *r, double width, struct wf_modes_sway 
  * of the turn stays the widest. */
 static bool band_settled(const struct ritz *r, double left, double width)
 {
-    const double enough = 1e-10;
+    const double enough = 1e-7; /* values and shares err by its square */
     struct wf_modes_sway band;
     int middle = widest_band(r, width, &band);
     if (middle < 0 || !(band.share > 0.5)) return false;
@@ -531,12 +542,13 @@ static enum wf_status kept_parts(const struct wf_tree *t, const struct wf_loads 
 }
 
 enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
-                              const struct wf_solve_options *o, size_t *count, const double to[2],
-                              struct wf_arena *a, double *frequency, struct wf_modes_part *out, double *shape,
-                              struct wf_err *e)
+                              const struct wf_solve_options *o, size_t most, size_t *count,
+                              const double to[2], struct wf_arena *a, double *frequency,
+                              struct wf_modes_part *out, double *shape, struct wf_err *e)
 {
     struct wf_modes_kept kept;
-    enum wf_status s = modes_within(rough, t, l, o, *count, a, frequency, NULL, &kept, e);
+    const struct effort effort = { rough.tolerance, most };
+    enum wf_status s = modes_within(&effort, t, l, o, *count, a, frequency, NULL, &kept, e);
     while (!s && *count && isnan(frequency[*count - 1])) --*count; /* the mesh has no more motions */
     return s ? s : kept_parts(t, l, o, &kept, *count, to, out, shape, e);
 }

@@ -53,11 +53,13 @@ struct wf_modes_part {
 };
 /* As wf_modes, with what the modes move. Given: `to`, horizontal unit vector. Returned: *count, fewer where
  * the mesh has fewer motions; frequency, out: one a mode; shape (count x 3n): displacement of each row's end
- * where the modal mass is 1 kg. Mass and overturning are those of the unloaded shape. */
+ * where the modal mass is 1 kg. Mass and overturning are those of the unloaded shape. `most` limits the work:
+ * the vectors of the space in which the motions are searched (0: as many as it takes). Errors: also
+ * WF_ENOCONV where these do not suffice, as in trees whose lowest motions are those of many twigs. */
 enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
-                              const struct wf_solve_options *o, size_t *count, const double to[2],
-                              struct wf_arena *a, double *frequency, struct wf_modes_part *out, double *shape,
-                              struct wf_err *e);
+                              const struct wf_solve_options *o, size_t most, size_t *count,
+                              const double to[2], struct wf_arena *a, double *frequency,
+                              struct wf_modes_part *out, double *shape, struct wf_err *e);
 
 struct wf_beam;
 /* How a tree sways along a horizontal direction. */

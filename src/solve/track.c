@@ -89,8 +89,8 @@ static void add_form(const struct wf_track *k, struct form to, double share, str
 
 static bool take_form(struct wf_track *k, struct form *f)
 {
-    f->shape = WF_TAKE(&k->work, k->beam.mesh.n, struct wf_beam_shape);
-    f->tilt = wf_arena_take(&k->work, k->tree->n, sizeof *f->tilt);
+    f->shape = wf_arena_take_unset(&k->work, k->beam.mesh.n, sizeof *f->shape);
+    f->tilt = wf_arena_take_unset(&k->work, k->tree->n, sizeof *f->tilt);
     return f->shape && f->tilt;
 }
 
@@ -161,8 +161,6 @@ static struct station *near_station(struct wf_track *k, double speed, double nea
     struct station *s = nearest_station(k, speed);
     return s && apart(s->speed, speed) <= log(near) ? s : NULL;
 }
-
-static const double near = 1.4; /* ratio of two speeds */
 
 /* Let the last solution be the one nearest to a speed: where it is nearer than `own` (NULL: any near one).
  * false: none is. */
@@ -250,10 +248,40 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->stations = 0;
     k->solutions = 1;
     if (from == &k->beam) from = &before.beam;
-    enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from, from, &k->work, &k->beam, &k->outcome, e);
+    enum wf_status s =
+        wf_beam_solve(k->tree, l, &k->options, from, from, &k->work, &k->work, &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
     if (!s) carry_forms(k, &before);
     wf_arena_free(&before.work);
+    return s;
+}
+
+static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct wf_arena *scratch);
+
+/* The present solution on a mesh with that many pieces a row; on one that is made anew where that finds none.
+ */
+static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const int32_t *pieces,
+                             struct wf_err *e)
+{
+    struct wf_track before = *k;
+    struct wf_arena scratch = { 0 };
+    k->work = (struct wf_arena){ 0 };
+    k->rested = false;
+    enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
+    if (!s) {
+        wf_beam_carry(&before.beam, &k->beam);
+        k->beam.iterations = before.beam.iterations, k->beam.steps = before.beam.steps;
+        if (!comes_to_rest(k, l, &scratch)) {
+            wf_arena_free(&scratch), wf_arena_free(&k->work);
+            *k = before;
+            return remesh(k, l, &k->beam, e);
+        }
+        k->solutions = 1;
+        k->beam.k0 = NULL, k->beam.options = &k->options, k->beam.loads = *l;
+        s = take_forms(k, e);
+    }
+    if (!s) carry_forms(k, &before);
+    wf_arena_free(&scratch), wf_arena_free(&before.work);
     return s;
 }
 
@@ -261,8 +289,13 @@ static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, s
 {
     bool meets;
     if (one_mesh(k)) return WF_OK;
-    enum wf_status s = wf_beam_mesh_meets(&k->beam, k->options.mesh_tolerance, &meets, e);
-    return s || meets ? s : remesh(k, l, &k->beam, e);
+    struct wf_arena scratch = { 0 };
+    int32_t *pieces = WF_TAKE(&scratch, k->tree->n, int32_t);
+    enum wf_status s = pieces ? wf_beam_mesh_meets(&k->beam, k->options.mesh_tolerance, &meets, pieces, e)
+                              : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
+    if (!s && !meets) s = refine(k, l, pieces, e);
+    wf_arena_free(&scratch);
+    return s;
 }
 
 /* The first solution, or with a fine mesh one far from the last. */
@@ -292,7 +325,10 @@ static void forget_shape(struct wf_track *k)
 /* The same, or after it what settles a few twigs. */
 static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct wf_arena *scratch)
 {
-    return follow(k, l) || wf_beam_settle_parts(&k->beam, scratch);
+    k->beam.hasty = true;
+    bool follows = follow(k, l);
+    k->beam.hasty = false;
+    return follows || wf_beam_settle_parts(&k->beam, scratch);
 }
 
 /* As the beam solver begins. */
@@ -337,7 +373,7 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
 {
     const double power = 1.5, to = wind_of(l);
     const struct station *s = nearest_station(k, to);
-    bool close = near_station(k, to, near);
+    bool close = near_station(k, to, WF_TRACK_NEAR);
     if (start->other && recall(start->other, to, close ? s : NULL)) {
         wf_beam_carry(&start->other->beam, &k->beam);
         keep(k, k->last);
@@ -449,7 +485,7 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     if (s) return s;
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
-    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), near)), done = false;
+    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), WF_TRACK_NEAR)), done = false;
     if (on && side && !start->alone) s = solve_soon(k, l, side, start, a, out, &done, e);
     if (s) return s;
     if (!done) s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);

@@ -26,13 +26,16 @@ struct wf_tracked {
     bool irregular; /* small parts are not stable, or a limit point lies on the way to the full load */
 };
 
+/* Ratio of two wind speeds up to which the derivative of one solution leads to the other. */
+#define WF_TRACK_NEAR 1.4
+
 /* Where Newton's method starts: from the solution whose wind speed is nearest, of this track or, where none
  * is near, of another. */
 struct wf_track_start {
     double share;           /* `side` are the loads of a wind that is faster by this share [-] */
     struct wf_track *other; /* a track of the same tree, whose last solution may become another of its own
                                (NULL: none) */
-    bool alone;             /* the answer to `side` is not wanted, and no solution follows on this track */
+    bool alone; /* the answer to `side` is not wanted, and no solution near this one follows on this track */
 };
 
 /* Equilibrium at the loads `l`. Given: `side` (NULL: not wanted), loads that differ from l by a small d; the

@@ -229,18 +229,20 @@ static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool 
 }
 
 /* The lowest modes in still air, for the reader. NULL: the peak load does not need the sway, the tree has no
- * state, or it is so large that they would take long. */
+ * state, it is so large that they would take long, or they are so many twigs' that they hardly differ. */
 static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
                                                 const struct wf_solve_options *o, struct wf_arena *a)
 {
-    enum { LOWEST = 4, LARGE = 20000 };
+    enum { LOWEST = 4, LARGE = 20000, VECTORS = 64, MANY = 200 };
     struct wf_err unsaid = { WF_OK, "" };
     struct wf_sway_modes *out = WF_TAKE(a, 1, struct wf_sway_modes);
     if (!out || !an->peak->method->sways || !an->peak->sways || an->tree.n > LARGE) return NULL;
     struct wf_solve_options shown = *o;
-    /* nothing is computed from them: frequencies err by less than a tenth of this tolerance */
-    if (o->mesh_tolerance > 0.0) shown.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
-    return wf_sway_modes(an, &shown, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
+    /* nothing is computed from them: frequencies err by less than a tenth of this tolerance. With many rows
+     * those on the first mesh do */
+    if (o->mesh_tolerance > 0.0)
+        shown.mesh_tolerance = an->tree.n < MANY ? fmax(o->mesh_tolerance, 1e-3) : 0.0;
+    return wf_sway_modes(an, &shown, 0.0, VECTORS, LOWEST, a, out, &unsaid) ? NULL : out;
 }
 
 /* The given speeds as nodes, then the lowest critical one. */

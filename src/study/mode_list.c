@@ -67,7 +67,7 @@ static enum wf_status run_block(const struct wf_analysis *an, const struct wf_so
     struct wf_err why = { 0 };
     b->tree = an->tree, b->height = an->tallness;
     b->direction[0] = an->wind.direction[0], b->direction[1] = an->wind.direction[1];
-    b->status = wf_sway_modes(an, o, b->speed, count, a, &b->modes, &why);
+    b->status = wf_sway_modes(an, o, b->speed, 0, count, a, &b->modes, &why);
     if (b->status == WF_EUNSTABLE || b->status == WF_ENOCONV) {
         wf_diag_warn(d, "no-equilibrium", "%s, mean wind %.4g m/s: no modes: %s", leaves, b->speed, why.text);
         b->modes.count = 0;

@@ -48,6 +48,8 @@ struct wf_peak {
     size_t sways;    /* 0: unknown, the frequency of most resonance is taken */
     struct wf_sway sway[WF_PEAK_SWAYS];
     double slope[2][WF_PEAK_SWAYS]; /* of frequency and air by speed */
+    const double *still; /* 3n: displacements of the rows' ends in the first sway, that in still air; NULL: not
+                            kept */
 };
 
 /* What a peak load was computed from; NAN: the method does not use it. */

@@ -409,17 +409,15 @@ static enum wf_status descend(struct search *list, size_t n, struct wf_err *e)
 }
 
 /* Totals at the critical speed. Where branches have a peak of their own, a node of theirs has no totals of
- * the tree: those of breakage are solved on the same mesh, of other criteria on that of the search. */
+ * the tree: they are solved on the mesh of the search, which is good for the figures that are printed. */
 static enum wf_status totals_there(const struct search *q, const struct wf_solve_options *quick,
                                    const struct wf_node *node, double step, struct wf_err *e)
 {
     struct wf_break *out = q->out;
     enum wf_status s = WF_OK;
     const struct wf_node *stem = node;
-    if (!node->state[WF_NODE_STEM].known) {
-        const struct wf_solve_options *o = q->criterion == WF_BREAKAGE ? q->o : quick;
-        s = wf_nodes_solve_part(q->nodes, o, node->at.speed, WF_NODE_STEM, &stem, e);
-    }
+    if (!node->state[WF_NODE_STEM].known)
+        s = wf_nodes_solve_part(q->nodes, quick, node->at.speed, WF_NODE_STEM, &stem, e);
     if (s || stem->at.status) return s;
     move_totals(q, stem, step, &out->at);
     return WF_OK;
@@ -435,23 +433,34 @@ static bool settled(const struct search *q, const struct wf_solve_options *quick
     return left <= fine->mesh_tolerance * now;
 }
 
+/* Options of the solutions with slopes that a crossing is taken from: what Newton's method leaves is squared by
+ * the step that gives the slopes, and need not be less than the mesh's error before. */
+static struct wf_solve_options polished(const struct wf_solve_options *fine)
+{
+    struct wf_solve_options out = *fine;
+    out.tolerance = fmax(fine->tolerance, fmin(sqrt(fine->tolerance), 0.1 * fine->mesh_tolerance));
+    return out;
+}
+
 /* A search that is through: the crossing on the specified mesh, the place, the totals there. */
 static enum wf_status finish(struct search *q, const struct wf_solve_options *quick,
                              const struct wf_solve_options *fine, struct wf_err *e)
 {
     const double coarser = 10.0;
     struct wf_critical *c = &q->out->critical;
+    const struct wf_solve_options exact = polished(fine);
     struct wf_solve_options between = *fine;
     const struct wf_node *node;
     double step = 0.0, before = c->speed;
     between.mesh_tolerance *= coarser;
+    between = polished(&between);
     bool between_first = q->scope == WF_SCOPE_STEM && !wf_criteria[q->criterion].shape &&
                          coarser * between.mesh_tolerance <= quick->mesh_tolerance;
     if (q->an->search.bare && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
-    q->o = between_first ? &between : fine;
+    q->o = between_first ? &between : &exact;
     enum wf_status s = polish_sloped(q, c, &node, &step, e);
     if (!s && between_first && !settled(q, quick, fine, before, c->speed)) {
-        q->o = fine;
+        q->o = &exact;
         s = polish_sloped(q, c, &node, &step, e);
     }
     if (s || state_of(q, node)->status) return s;

@@ -311,19 +311,21 @@ static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_s
                                  struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
     struct kept now = { 0 };
+    struct wf_arena newton = { 0 };
     struct wf_beam_outcome how = { 0 };
     enum wf_status s = wf_response_alloc(r, an->tree.n, a, e);
     if (!s) s = wf_solve_check(&an->tree, l, d, e);
     if (s) return s;
-    s = wf_beam_solve(&an->tree, l, o, NULL, last->solved ? &last->beam : NULL, &now.memory, &now.beam, &how,
-                      e);
+    s = wf_beam_solve(&an->tree, l, o, NULL, last->solved ? &last->beam : NULL, &now.memory, &newton,
+                      &now.beam, &how, e);
     now.solved = !s;
     r->load_factor = how.load_factor;
+    if (!s) wf_beam_read(&now.beam, r);
+    wf_arena_free(&newton);
     if (s) {
         wf_arena_free(&now.memory);
         return s;
     }
-    wf_beam_read(&now.beam, r);
     wf_beam_warn(&now.beam, &how, d);
     wf_arena_free(&last->memory);
     *last = now;

@@ -105,17 +105,17 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
 
 static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
 
-/* Add the sway at a speed. Returned: whether the tree has a state in that mean wind. */
-static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed)
+/* Add the sway at a speed, with its shape (3n). Given: the next speed. Returned: whether the tree has a state
+ * in that mean wind. */
+static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed,
+                     double next, double *shape)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     struct wf_modes_sway m;
     struct wf_err why = { 0 };
-    const struct wf_track_start near = { .alone = true };
-    double *shape = WF_TAKE(&scratch, 3 * an->tree.n, double);
-    enum wf_status s =
-        shape ? wf_speed_track(an, WF_PART_MEAN, track, speed, &near, &scratch, &r, &why) : WF_ENOMEM;
+    const struct wf_track_start near = { .alone = next > WF_TRACK_NEAR * speed };
+    enum wf_status s = wf_speed_track(an, WF_PART_MEAN, track, speed, &near, &scratch, &r, &why);
     bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, &m, shape, &why);
     if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
     if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m, shape);
@@ -175,20 +175,27 @@ static double profile_at(const struct wf_analysis *an, double z)
     return norm3(u);
 }
 
+static const double rough = 3e-4; /* of the mesh that sways are found on: with 1e-3 a mode at the edge of the
+                                     band of a willow's sway moved its gust factor by 3e-3 */
+
 /* Sways at speeds in rising order, until there is no state in the mean wind. */
 static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
-                                 const struct wf_solve_options *o, double *at, size_t k, struct wf_err *e)
+                                 const struct wf_solve_options *o, double *at, size_t k, struct wf_arena *a,
+                                 struct wf_err *e)
 {
     struct wf_solve_options coarse = *o;
     struct wf_track *track;
+    double *first = WF_TAKE(a, 3 * an->tree.n, double), *shape = WF_TAKE(a, 3 * an->tree.n, double);
+    if (!first || !shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     qsort(at, k, sizeof *at, wf_ascending);
-    if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, 1e-3);
+    if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, rough);
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
-        if (!add_sway(an, p, track, at[i])) break;
+        if (!add_sway(an, p, track, at[i], i + 1 < k ? at[i + 1] : INFINITY, i ? shape : first)) break;
     wf_track_close(track);
     wf_peak_sways_take(p);
+    if (p->sways && at[0] == 0.0) p->still = first;
     return WF_OK;
 }
 
@@ -298,7 +305,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     size_t k = pick_speeds(an, speeds, n, at);
     enum wf_status s = begin(an, a, &p, e);
     if (s) return s;
-    if (p->method->sways) s = find_sways(an, p, o, at, k, e);
+    if (p->method->sways) s = find_sways(an, p, o, at, k, a, e);
     an->peak = p;
     if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
     if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
@@ -428,7 +435,19 @@ static struct wf_sway_mode mode_of(const struct wf_analysis *an, const struct wf
     return out;
 }
 
-/* The state in the mean wind, with its loads, and the sway of the whole tree about it. */
+/* The sway of the whole tree, of that shape. */
+static void take_sway(const struct wf_analysis *an, const struct wf_sway *sway, double *shape,
+                      struct wf_sway_modes *out)
+{
+    out->sway = *sway;
+    double stem = take_damping(an, &out->damping_known);
+    out->shape = shape;
+    out->damping = wf_peak_damping(structural_of(an, shape, stem), out->damping_known, out->sway.air);
+    (void)scale_shape(shape, 3 * an->tree.n);
+}
+
+/* The state in the mean wind, with its loads, and the sway of the whole tree about it. Of still air the loads
+ * are left out where the sway is known. */
 static enum wf_status find_state(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                                  struct wf_arena *a, struct wf_response *r, struct wf_sway_modes *out,
                                  struct wf_err *e)
@@ -438,6 +457,12 @@ static enum wf_status find_state(const struct wf_analysis *an, const struct wf_s
     struct wf_track *track;
     double *shape = WF_TAKE(a, 3 * an->tree.n, double);
     if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+    if (!(speed > 0.0) && an->peak && an->peak->still &&
+        !(o->mesh_tolerance < rough && o->mesh_tolerance > 0.0)) {
+        memcpy(shape, an->peak->still, 3 * an->tree.n * sizeof *shape);
+        take_sway(an, &an->peak->sway[0], shape, out);
+        return WF_OK;
+    }
     enum wf_status s = wf_track_open(&an->tree, o, NULL, &track, e);
     if (s) return s;
     s = wf_speed_track(an, WF_PART_MEAN, track, speed, NULL, a, &at, e);
@@ -446,16 +471,14 @@ static enum wf_status find_state(const struct wf_analysis *an, const struct wf_s
     wf_track_close(track);
     if (s) return s;
     *r = at.at.response;
-    out->sway = sway_of(an, &at.at, &m, shape);
-    double stem = take_damping(an, &out->damping_known);
-    out->shape = shape;
-    out->damping = wf_peak_damping(structural_of(an, shape, stem), out->damping_known, out->sway.air);
-    (void)scale_shape(shape, 3 * an->tree.n);
+    const struct wf_sway sway = sway_of(an, &at.at, &m, shape);
+    take_sway(an, &sway, shape, out);
     return WF_OK;
 }
 
 enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                             size_t count, struct wf_arena *a, struct wf_sway_modes *out, struct wf_err *e)
+                             size_t most, size_t count, struct wf_arena *a, struct wf_sway_modes *out,
+                             struct wf_err *e)
 {
     const double alike = 0.01; /* relative difference of frequencies that are almost one */
     const size_t size = 3 * an->tree.n;
@@ -473,7 +496,8 @@ enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve
     *out = (struct wf_sway_modes){ .mode = mode };
     enum wf_status s = find_state(an, o, speed, a, &r, out, e);
     if (!s)
-        s = wf_modes_parts(&an->tree, &loads, o, &found, an->wind.direction, a, frequency, part, shape, e);
+        s = wf_modes_parts(&an->tree, &loads, o, most, &found, an->wind.direction, a, frequency, part, shape,
+                           e);
     if (s) return s;
     for (size_t k = 0; k + 1 < found; k++)
         if (fabs(frequency[k + 1] - frequency[k]) <= alike * fabs(frequency[k])) {

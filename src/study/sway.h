@@ -46,9 +46,11 @@ struct wf_sway_modes {
 /* The `count` lowest modes about the tree's state in a mean wind of a named speed [m/s]; 0: still air. Modes
  * of almost one frequency, such as those of a round stem, are turned so that one moves along the wind.
  * Structural damping: the request's, else the species' by mass, else assumed. Given: an analysis after
- * wf_analysis_set_up. Errors: of the beam solver and of wf_modes. */
+ * wf_analysis_set_up; where it is known from wf_sway_set_up on a mesh of that tolerance, the sway in still
+ * air is not found again. `most`: as of wf_modes_parts. Errors: of the beam solver and of wf_modes_parts. */
 enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                             size_t count, struct wf_arena *a, struct wf_sway_modes *out, struct wf_err *e);
+                             size_t most, size_t count, struct wf_arena *a, struct wf_sway_modes *out,
+                             struct wf_err *e);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,297 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "solve/beam_check.h"
+#include "base/vec3.h"
+#include "solve/beam_eliminate.h"
+#include "solve/beam_ends.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- Start shape ---- */
+
+/* Rotation from the unloaded to the loaded state at fraction s (0..1) of a row. */
+static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
+{
+    int32_t from = b->mesh.first[row], cut = b->mesh.last[row] - from + 1;
+    int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
+    double x = s * cut - k, v[3], R[9];
+    const struct wf_beam_shape *u = &b->shape[from + k];
+    /* the quadratic through 0 at the base and the two Gauss points */
+    double a = x * (x - gauss_place[1]) / (gauss_place[0] * (gauss_place[0] - gauss_place[1]));
+    double c = x * (x - gauss_place[0]) / (gauss_place[1] * (gauss_place[1] - gauss_place[0]));
+    for (int i = 0; i < 3; i++) v[i] = a * u->v[0][i] + c * u->v[1][i];
+    struct wf_beam_pose ground;
+    rotation_matrix(v, R);
+    m3_mul(wf_beam_base(b, (size_t)(from + k), &ground)->L, R, L);
+}
+
+void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
+{
+    memcpy(fine->tilt, coarse->tilt, fine->mesh.tree->n * sizeof *fine->tilt);
+    wf_beam_links_carry(coarse, fine);
+    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
+        int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
+        for (int32_t k = 0; k < cut; k++) {
+            double base[9], at[9], R[9];
+            beam_rotation_at(coarse, i, (double)k / cut, base);
+            for (int j = 0; j < 2; j++) {
+                beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
+                m3_mul_transposed(base, at, R);
+                rotation_vector(R, fine->shape[from + k].v[j]);
+            }
+        }
+    }
+}
+
+/* Position and rotation of the end of row i relative to its base, in the axes of the base; of a standing tree
+ * the change from the given shape. */
+static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], double L[9])
+{
+    size_t from = (size_t)b->mesh.first[i];
+    struct wf_beam_pose ground;
+    const struct wf_beam_pose *base = wf_beam_base(b, from, &ground), *end = &b->pose[b->mesh.last[i]];
+    double d[3] = { end->r[0] - base->r[0], end->r[1] - base->r[1], end->r[2] - base->r[2] };
+    m3_apply_transposed(base->L, d, place);
+    m3_mul_transposed(base->L, end->L, L);
+    if (!b->mesh.still) return;
+    const double foot[3] = { b->mesh.tree->x0[i], b->mesh.tree->y0[i], b->mesh.tree->z0[i] };
+    int32_t below = b->mesh.tree->parent[i];
+    v3_add(place, -1, b->mesh.still[i]);
+    v3_add(place, 1, below < 0 ? foot : b->mesh.still[below]);
+}
+
+/* Path length from each row's end to its farthest tip [m]. */
+static void tree_reach(const struct wf_tree *t, double *reach)
+{
+    for (size_t i = 0; i < t->n; i++) reach[i] = 0;
+    for (size_t i = t->n; i-- > 0;) {
+        if (t->parent[i] < 0) continue;
+        double far = reach[i] + wf_tree_length(t, i);
+        if (far > reach[t->parent[i]]) reach[t->parent[i]] = far;
+    }
+}
+
+/* Estimated error of position at the worst node [m], from solutions on a mesh and a finer one of the same
+ * tree. Each row's own contribution (its end relative to its base) falls with the fourth power of the piece
+ * length; its error of rotation moves everything beyond it, up to `reach` away. share[n]: contribution of
+ * each row [m]; a row that was not refined keeps its old value. */
+static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
+                              double *share)
+{
+    const struct wf_tree *t = fine->mesh.tree;
+    double worst = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double a[3], b[3], A[9], B[9], R[9], turn[3];
+        double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i);
+        double fall = pow(kf / kc, 4) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
+        seen_from_base(coarse, i, a, A);
+        seen_from_base(fine, i, b, B);
+        m3_mul_transposed(A, B, R);
+        rotation_vector(R, turn);
+        v3_add(a, -1, b);
+        if (fall > 0) share[i] = (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall;
+    }
+    /* largest sum along a path from the ground: summed in place of the rows' own shares, then undone */
+    for (size_t i = 0; i < t->n; i++) {
+        if (t->parent[i] >= 0) share[i] += share[t->parent[i]];
+        worst = fmax(worst, share[i]);
+    }
+    for (size_t i = t->n; i-- > 0;)
+        if (t->parent[i] >= 0) share[i] -= share[t->parent[i]];
+    return worst;
+}
+
+/* Mesh refinement to a tolerance: solutions on two meshes are compared row by row. */
+
+static double largest_displacement(const struct wf_beam *b)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double d[3];
+        wf_beam_still_at(&b->mesh, i, d);
+        v3_add(d, -1, b->pose[b->mesh.last[i]].r);
+        most = fmax(most, wf_dot(d, d));
+    }
+    return sqrt(most);
+}
+
+/* Farthest end from the first base [m]. */
+static double tree_size(const struct wf_tree *t)
+{
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double d[3] = { t->x1[i] - t->x0[0], t->y1[i] - t->y0[0], t->z1[i] - t->z0[0] };
+        most = fmax(most, wf_dot(d, d));
+    }
+    return sqrt(most);
+}
+
+/* Number of rows on the longest path from the ground; the allowed error is divided by it. */
+static double longest_row_chain(const struct wf_tree *t, double *depth)
+{
+    double most = 1;
+    for (size_t i = 0; i < t->n; i++) {
+        depth[i] = 1 + (t->parent[i] >= 0 ? depth[t->parent[i]] : 0);
+        most = fmax(most, depth[i]);
+    }
+    return most;
+}
+
+void wf_beam_row_loads(const struct wf_beam *b, double *load)
+{
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        double sum[3] = { 0, 0, 0 };
+        for (int32_t k = b->mesh.first[i]; k <= b->mesh.last[i]; k++) {
+            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, b->load[k][j]);
+        }
+        memcpy(load + 3 * i, sum, sizeof sum);
+    }
+}
+
+/* Estimated error of each row's load relative to the base reaction, assumed to fall with the power 1.3 of
+ * the piece length: wind near the ground grows with a low power of height, and a load with a kink inside a
+ * row converges no faster. */
+static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
+                         const double *now, double *share)
+{
+    double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
+    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
+        double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i), d[3];
+        for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
+        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, 1.3) - 1) : 0;
+        sum += share[i];
+    }
+    return sum;
+}
+
+/* New number of pieces per row. Rows above their share of the error target are refined; none is coarsened,
+ * so the carried-over shape is a valid Newton start. off = load error / allowed; above 1 the rows that cause
+ * most of it (`bear`) are refined too. */
+static void choose_pieces(const struct wf_beam *b, const double *share, double target, const double *bear,
+                          double off, int32_t *pieces)
+{
+    double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
+    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        int32_t now = wf_beam_pieces(&b->mesh, i);
+        double want = pow(share[i] / target, 0.25);
+        if (bear[i] > 0.1 * most) want = fmax(want, more);
+        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), now), 64.0 * now);
+    }
+}
+
+enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, struct wf_beam_check *c,
+                                  struct wf_err *e)
+{
+    *c = (struct wf_beam_check){ .reach = WF_TAKE(a, t->n, double),
+                                 .share = WF_TAKE(a, t->n, double),
+                                 .bear = WF_TAKE(a, t->n, double),
+                                 .before = WF_TAKE(a, 3 * t->n, double),
+                                 .load = WF_TAKE(a, 3 * t->n, double) };
+    if (!c->reach || !c->share || !c->bear || !c->before || !c->load)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    c->depth = longest_row_chain(t, c->share);
+    tree_reach(t, c->reach);
+    return WF_OK;
+}
+
+/* By how much the turn of the tree's tip, whose thin end bends most, differs from that on a finer mesh, of
+ * what is allowed. */
+static double tip_lack(const struct wf_beam *coarse, const struct wf_beam *fine, size_t tip)
+{
+    double R[9], off[3], turn[3];
+    const double limit = 1e-3, *L = fine->pose[fine->mesh.last[tip]].L;
+    m3_mul_transposed(coarse->pose[coarse->mesh.last[tip]].L, L, R);
+    rotation_vector(R, off), rotation_vector(L, turn);
+    return sqrt(wf_dot(off, off) / (limit * limit * wf_dot(turn, turn) + 1e-20));
+}
+
+/* Error of positions within a tolerance [m]. */
+static double allowed_error(const struct wf_beam *b, double tolerance)
+{
+    const double rounding = 1e-12; /* relative to the tree's size: positions are no more accurate than this,
+                                      so a tree that hardly moves converges too */
+    return fmax(tolerance * largest_displacement(b), rounding * tree_size(b->mesh.tree));
+}
+
+bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
+                         int32_t *pieces)
+{
+    const double safety = 0.25;
+    const struct wf_tree *t = fine->mesh.tree;
+    double allowed = fine->options->mesh_tolerance * safety;
+    double target = allowed_error(fine, allowed);
+    double error = beam_mesh_error(coarse, fine, c->reach, c->share);
+    double reactions = load_error(coarse, fine, c->before, c->load, c->bear);
+    memcpy(c->before, c->load, 3 * t->n * sizeof *c->load);
+    const size_t tip = wf_tip_row(t);
+    bool turns = tip_lack(coarse, fine, tip) <= 1;
+    if (error <= target && reactions <= allowed && turns) return true;
+    choose_pieces(fine, c->share, target / c->depth, c->bear, reactions / allowed, pieces);
+    if (!turns) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
+    return false;
+}
+
+/* What a mesh lacks of a tolerance: its error and that of the loads on it, of what is allowed. */
+struct lack {
+    double position, loads;
+};
+
+/* Pieces of a mesh that meets a tolerance, from the errors of a solution on one twice as fine as that of b:
+ * rows by their own errors or, where that takes fewer elements, all alike. target: error of a row on it. */
+static void choose_again(const struct wf_beam *b, const struct wf_beam *fine, const double *share,
+                         double target, const double *bear, const struct lack *lack, int32_t *pieces)
+{
+    double most = 0, elements = 0, more = fmax(lack->loads, 1);
+    double alike = ceil(fmax(pow(lack->position, 0.25), pow(1.5 * more, 0.77)));
+    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        int32_t now = wf_beam_pieces(&b->mesh, i);
+        double want = wf_beam_pieces(&fine->mesh, i) * pow(share[i] / target, 0.25);
+        if (bear[i] > 0.1 * most) want = fmax(want, now * pow(1.5 * more, 0.77));
+        pieces[i] = (int32_t)fmin(fmax(ceil(want), now), 64.0 * now);
+        elements += pieces[i];
+    }
+    if (elements <= alike * (double)b->mesh.n) return;
+    for (size_t i = 0; i < b->mesh.tree->n; i++) pieces[i] = (int32_t)alike * wf_beam_pieces(&b->mesh, i);
+}
+
+enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, int32_t *pieces,
+                                  struct wf_err *e)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    struct wf_arena work = { 0 };
+    struct wf_beam fine;
+    double *reach = WF_TAKE(&work, t->n, double), *share = WF_TAKE(&work, t->n, double),
+           *bear = WF_TAKE(&work, t->n, double), *load = WF_TAKE(&work, 6 * t->n, double);
+    enum wf_status s = reach && share && bear && load
+                           ? WF_OK
+                           : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    *meets = false;
+    for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * wf_beam_pieces(&b->mesh, i);
+    if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
+    if (!s) {
+        wf_beam_carry(b, &fine);
+        wf_beam_sweep_up(&fine);
+        fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
+        if (wf_beam_step(&fine, NULL)) {
+            tree_reach(t, reach);
+            wf_beam_row_loads(b, load);
+            wf_beam_row_loads(&fine, load + 3 * t->n);
+            /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
+            double error = 16 * beam_mesh_error(b, &fine, reach, share);
+            double reactions = pow(2, 1.3) * load_error(b, &fine, load, load + 3 * t->n, bear);
+            double allowed = allowed_error(&fine, tolerance), depth = longest_row_chain(t, reach);
+            size_t tip = wf_tip_row(t);
+            double turns = tip_lack(b, &fine, tip);
+            *meets = error <= allowed && reactions <= tolerance && turns <= 1;
+            const struct lack lack = { error / allowed, reactions / tolerance };
+            choose_again(b, &fine, share, allowed / depth, bear, &lack, pieces);
+            if (turns > 1) /* to the first order of the piece length at least */
+                pieces[tip] =
+                    (int32_t)fmax(pieces[tip], fmin(ceil(2 * turns), 64) * wf_beam_pieces(&b->mesh, tip));
+        }
+    }
+    wf_arena_free(&work);
+    return s;
+}
