@@ -27,6 +27,11 @@ for n in media:
         sys.exit(f'{n}: no PNG')
 if len(media) != figures:
     sys.exit(f'{len(media)} pictures of {figures} figures')
+# columns are as wide as what stands in them, not all the same
+document = zipfile.ZipFile(f'{folder}/{page}.docx').read('word/document.xml').decode()
+grids = [re.findall(r'<w:gridCol w:w="(\d+)"', g) for g in re.findall(r'<w:tblGrid>.*?</w:tblGrid>', document, re.S)]
+if not all(len(set(g)) > 1 for g in grids if len(g) > 3):
+    sys.exit(f'columns of the same width: {grids}')
 if len(want) < 50:
     sys.exit(f'{len(want)} numbers on the page')
 print(f'docx: {len(want)} numbers, {len(media)} pictures')

@@ -268,9 +268,29 @@ static void strings_are_whole(void **state)
     }
 }
 
+/* No page but the last is half empty, and no last page has less than a fifth: labels of figures are words too. */
+static void pages_are_filled(void **state)
+{
+    (void)state;
+    if (shell("command -v weasyprint && command -v pdftotext && command -v gnuplot")) skip();
+    static const struct row rows[] = {
+        { "set -- 'assess models/cards/oak.yaml --client Town --assessor Person --photo "
+          "tests/data/job/photo.jpg' 'analyze scots_pine --model scots_pine --soil mineral --wind 10,20 "
+          "--samples 0' 'wind extremes --annual docs/examples/annual.csv' 'papers tang2012 --no-vtk' 'rain "
+          "--staged --duration 2'; for c; do for l in en zh; do $W $c --lang $l -q -o $T/out >$T/said 2>&1; "
+          "python3 tests/page_fill.py $T/out/*.pdf; rm -r $T/out; done; done | awk '$1 < 55 || $2 < 18 { print "
+          "\"bad:\", $0 } END { print NR }'",
+          CODE_OK,
+          { "10\n" } },
+    };
+    CHECK(rows);
+    assert_null(strstr(output, "bad:"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pages_are_filled),
         cmocka_unit_test(pdfs_are_made_later),
         cmocka_unit_test(every_page_in_both_languages),
         cmocka_unit_test(a_command_speaks_the_language_it_is_asked_for),

@@ -26,7 +26,7 @@ do for [k=0:MODES] {
 }
 low = low - 1.15*GROW; high = high + 1.15*GROW; top = top + 0.6*GROW; floor = floor < 0 ? floor - 0.3*GROW : 0
 WIDTH = 640.0; LEFT = 50.0; GAP = 20.0; TITLE = 34.0; UNDER = 46.0; KEY = 34.0
-columns = MODES < 2 ? 2 : MODES < 4 ? 3 : 4
+columns = MODES < 2 ? 2 : MODES < 6 ? 3 : 4
 rows = (MODES + columns)/columns
 w = (WIDTH - LEFT - 12)/columns - GAP
 scale = w/(high - low)

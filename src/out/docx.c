@@ -91,7 +91,89 @@ static bool is_left_out(const xmlNode *n)
            (is_named(n, "section") && has(n, "class", "live"));
 }
 
-/* What a document has in other ways than a page: numbers to the right, units in a line of their own. */
+/* ---- Widths of columns, which a page leaves to its reader and a document needs ---- */
+
+enum { COLUMNS = 64, LINE = 30 }; /* letters of a cell that are kept in one line */
+
+struct columns {
+    size_t n, letters[COLUMNS], held[COLUMNS]; /* held: rows for which a cell above fills the column */
+};
+
+static size_t span_of(const xmlNode *cell, const char *name)
+{
+    xmlChar *text = xmlGetProp(cell, BAD_CAST name);
+    unsigned long k = text ? strtoul((const char *)text, NULL, 10) : 1;
+    xmlFree(text);
+    return k > 0 && k <= COLUMNS ? k : 1;
+}
+
+/* Room of a text: its longest word, or a line of it; a Chinese character takes that of two letters, and may
+ * be the last of its line. */
+static size_t letters_of(const char *text, bool head)
+{
+    size_t all = 0, word = 0, longest = 0;
+    for (const unsigned char *p = (const unsigned char *)text; *p; p++) {
+        size_t wide = (*p & 0xC0) == 0x80 ? 0 : *p >= 0xE3 ? 2 : 1;
+        word = *p == ' ' || *p == '\n' || wide == 2 ? wide / 2 * 2 : word + wide;
+        all += wide;
+        if (word > longest) longest = word;
+    }
+    size_t line = all < LINE ? all : LINE;
+    return head || longest > line ? longest : line;
+}
+
+static void measure_row(struct columns *c, const xmlNode *row)
+{
+    size_t column = 0;
+    for (xmlNode *n = row->children; n; n = n->next) {
+        if (!is_named(n, "td") && !is_named(n, "th")) continue;
+        while (column < COLUMNS && c->held[column]) column++;
+        size_t wide = span_of(n, "colspan"), deep = span_of(n, "rowspan");
+        if (column + wide > COLUMNS) break;
+        xmlChar *text = wide == 1 ? xmlNodeGetContent(n) : NULL;
+        size_t letters = text ? letters_of((const char *)text, is_named(n, "th")) : 0;
+        if (letters > c->letters[column]) c->letters[column] = letters;
+        xmlFree(text);
+        for (size_t i = 0; i < wide; i++) c->held[column + i] = deep;
+        column += wide;
+        if (column > c->n) c->n = column;
+    }
+    for (size_t i = 0; i < COLUMNS; i++)
+        if (c->held[i]) c->held[i]--;
+}
+
+static void measure(struct columns *c, const xmlNode *parent)
+{
+    for (xmlNode *n = parent->children; n; n = n->next) {
+        if (is_named(n, "tr")) measure_row(c, n);
+        if (is_named(n, "thead") || is_named(n, "tbody") || is_named(n, "tfoot")) measure(c, n);
+    }
+}
+
+/* <colgroup> with a share of the width for each column, by its longest cells. */
+static void give_widths(xmlNode *table)
+{
+    struct columns c = { 0 };
+    size_t sum = 0;
+    measure(&c, table);
+    for (size_t i = 0; i < c.n; i++) sum += c.letters[i] += 3;
+    xmlNode *group = c.n > 1 ? xmlNewDocNode(table->doc, NULL, BAD_CAST "colgroup", NULL) : NULL,
+            *first = xmlFirstElementChild(table);
+    if (!group || !first) return;
+    for (size_t i = 0; i < c.n; i++) {
+        char style[40];
+        xmlNode *col = xmlNewChild(group, NULL, BAD_CAST "col", NULL);
+        snprintf(style, sizeof style, "width: %.1f%%", 100.0 * (double)c.letters[i] / (double)sum);
+        if (col) xmlNewProp(col, BAD_CAST "style", BAD_CAST style);
+    }
+    if (is_named(first, "caption"))
+        xmlAddNextSibling(first, group);
+    else
+        xmlAddPrevSibling(first, group);
+}
+
+/* What a document has in other ways than a page: numbers to the right, units in a line of their own, widths
+ * of columns. */
 static void adapt(struct docx *x, xmlNode *parent)
 {
     for (xmlNode *n = parent->children, *next; n; n = next) {
@@ -107,6 +189,7 @@ static void adapt(struct docx *x, xmlNode *parent)
             if (cell && has(n, "class", "r")) xmlNewProp(n, BAD_CAST "style", BAD_CAST "text-align: right");
             if (line && n->children) xmlAddPrevSibling(n, xmlNewDocNode(n->doc, NULL, BAD_CAST "br", NULL));
             if (has(n, "class", "n")) xmlAddNextSibling(n, xmlNewDocText(n->doc, BAD_CAST " "));
+            if (is_named(n, "table")) give_widths(n);
             adapt(x, n);
         }
     }
