@@ -279,7 +279,8 @@
       </xsl:call-template>
     </xsl:if>
     <xsl:call-template name="block-row">
-      <xsl:with-param name="id">in.segments</xsl:with-param><xsl:with-param name="text" select="string(segments)"/>
+      <xsl:with-param name="id">in.segments<xsl:if test="levels &gt; 1">.stem</xsl:if></xsl:with-param>
+     <xsl:with-param name="text" select="string(segments)"/>
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.crown</xsl:with-param>

@@ -156,47 +156,53 @@
           iv.c.at_low:m/s;iv.c.at_high:m/s</xsl:with-param>
       </xsl:call-template>
     </tr></thead>
+    <!-- the last two rows together, so that none stands alone on a page -->
     <tbody class="long">
-      <xsl:for-each select="varied/item">
-        <xsl:variable name="quantity" select="quantity"/>
-        <xsl:variable name="unit">
-          <xsl:for-each select="$strings"><xsl:value-of select="key('string', $quantity)/@unit"/></xsl:for-each></xsl:variable>
-        <tr>
-          <td>
-            <xsl:choose>
-              <xsl:when test="kind = 'factor'">
-                <xsl:call-template name="term">
-                    <xsl:with-param name="id" select="concat('iv.', quantity)"/>
-                    <xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
-              </xsl:when>
-              <xsl:otherwise>
-                <xsl:call-template name="term">
-                    <xsl:with-param name="id" select="quantity"/><xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
-                <xsl:if test="$unit != '' and $unit != '–'">, <xsl:value-of select="$unit"/></xsl:if>
-              </xsl:otherwise>
-            </xsl:choose>
-          </td>
-          <td>
-            <xsl:call-template name="term">
-              <xsl:with-param name="id">
-                <xsl:choose><xsl:when test="status = 'rule'">iv.rule</xsl:when>
-                  <xsl:otherwise><xsl:value-of select="concat('status.', status)"/></xsl:otherwise></xsl:choose>
-              </xsl:with-param>
-              <xsl:with-param name="otherwise" select="status"/>
-            </xsl:call-template>
-          </td>
-          <xsl:call-template name="iv-value"><xsl:with-param name="x" select="value"/></xsl:call-template>
-          <xsl:call-template name="iv-value"><xsl:with-param name="x" select="low"/></xsl:call-template>
-          <xsl:call-template name="iv-value"><xsl:with-param name="x" select="high"/></xsl:call-template>
-          <xsl:call-template name="iv-critical">
-            <xsl:with-param name="x" select="critical_at_low_m_s"/><xsl:with-param name="stands" select="stands_at_low"/>
-          </xsl:call-template>
-          <xsl:call-template name="iv-critical">
-            <xsl:with-param name="x" select="critical_at_high_m_s"/><xsl:with-param name="stands" select="stands_at_high"/>
-          </xsl:call-template>
-        </tr>
-      </xsl:for-each>
+      <xsl:for-each select="varied/item[position() &lt;= last() - 2]"><xsl:call-template name="iv-tornado-row"/></xsl:for-each>
+    </tbody>
+    <tbody class="tail">
+      <xsl:for-each select="varied/item[position() &gt; last() - 2]"><xsl:call-template name="iv-tornado-row"/></xsl:for-each>
     </tbody>
   </table>
+</xsl:template>
+
+<xsl:template name="iv-tornado-row">
+  <xsl:variable name="quantity" select="quantity"/>
+  <xsl:variable name="unit">
+    <xsl:for-each select="$strings"><xsl:value-of select="key('string', $quantity)/@unit"/></xsl:for-each></xsl:variable>
+  <tr>
+    <td>
+      <xsl:choose>
+        <xsl:when test="kind = 'factor'">
+          <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('iv.', quantity)"/>
+              <xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="term">
+              <xsl:with-param name="id" select="quantity"/><xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
+          <xsl:if test="$unit != '' and $unit != '–'">, <xsl:value-of select="$unit"/></xsl:if>
+        </xsl:otherwise>
+      </xsl:choose>
+    </td>
+    <td>
+      <xsl:call-template name="term">
+        <xsl:with-param name="id">
+          <xsl:choose><xsl:when test="status = 'rule'">iv.rule</xsl:when>
+            <xsl:otherwise><xsl:value-of select="concat('status.', status)"/></xsl:otherwise></xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="otherwise" select="status"/>
+      </xsl:call-template>
+    </td>
+    <xsl:call-template name="iv-value"><xsl:with-param name="x" select="value"/></xsl:call-template>
+    <xsl:call-template name="iv-value"><xsl:with-param name="x" select="low"/></xsl:call-template>
+    <xsl:call-template name="iv-value"><xsl:with-param name="x" select="high"/></xsl:call-template>
+    <xsl:call-template name="iv-critical">
+      <xsl:with-param name="x" select="critical_at_low_m_s"/><xsl:with-param name="stands" select="stands_at_low"/>
+    </xsl:call-template>
+    <xsl:call-template name="iv-critical">
+      <xsl:with-param name="x" select="critical_at_high_m_s"/><xsl:with-param name="stands" select="stands_at_high"/>
+    </xsl:call-template>
+  </tr>
 </xsl:template>
 </xsl:stylesheet>

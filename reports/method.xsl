@@ -132,9 +132,9 @@
   <xsl:param name="x"/><xsl:param name="power" select="0"/>
   <xsl:choose>
     <xsl:when test="$x = 0">0</xsl:when>
-    <xsl:when test="$x &gt;= 1 or $power &gt; 30">
+    <xsl:when test="$x &gt;= 0.95 or $power &gt; 30">
       <xsl:value-of select="round($x)"/>
-      <xsl:if test="$power &gt; 0"> × 10⁻<xsl:value-of select="translate($power, '0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹')"/></xsl:if>
+      <xsl:if test="$power &gt; 0"> × 10⁻<xsl:value-of select="translate($power, '0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹')"/></xsl:if>
     </xsl:when>
     <xsl:otherwise>
       <xsl:call-template name="tiny">
@@ -231,6 +231,7 @@
       <xsl:with-param name="text">
         <xsl:choose>
           <xsl:when test="$r/provenance/seed != ''"><xsl:value-of select="$r/provenance/seed"/></xsl:when>
+          <xsl:when test="$trees/interval/seed != ''"><xsl:value-of select="$trees/interval/seed"/></xsl:when>
           <xsl:otherwise>
             <xsl:call-template name="say"><xsl:with-param name="id">p.seed.none</xsl:with-param></xsl:call-template>
           </xsl:otherwise>

@@ -225,6 +225,10 @@
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
       </xsl:if>
+      <xsl:if test="@name = 'stem' and $trees/model/key = 'card'">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">t.crown.stem</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:if test="$gusts and contains(' shapes tip stem safety directions ', concat(' ', @name, ' '))">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.gusts</xsl:with-param></xsl:call-template>

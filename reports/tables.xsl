@@ -84,6 +84,10 @@
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.tops</xsl:with-param></xsl:call-template>
         </xsl:if>
+        <xsl:if test="$trees/model/key = 'card'">
+          <xsl:value-of select="$gap"/>
+          <xsl:call-template name="say"><xsl:with-param name="id">t.crown.stem</xsl:with-param></xsl:call-template>
+        </xsl:if>
         <xsl:if test="$trees/winds/item/within_limits = 'false'">
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template>

@@ -32,6 +32,8 @@ w = (WIDTH - LEFT - 12)/columns - GAP
 scale = w/(high - low)
 most = rows > 1 ? 110.0 : 300.0
 scale = scale*(top - floor) > most ? most/(top - floor) : scale
+# a slender tree gets room for three figures on its axis
+if (scale*(high - low) < 96) { middle = 0.5*(low + high); low = middle - 48/scale; high = middle + 48/scale }
 w = scale*(high - low); h = scale*(top - floor)
 room = (WIDTH - LEFT - 12)/columns
 HEIGHT = rows*(h + TITLE + UNDER) + KEY

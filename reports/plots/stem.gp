@@ -50,6 +50,10 @@ do for [i=1:trees] {
         unit = panel ? PER[STRESS] : 1e-3*PER[MOMENT]
         most = panel ? PER[STRESS]*stress : PER[MOMENT]*moment
         set xrange [0:(most > 0 ? 1.05*most : 1)]
+        # figures of the axis at least 38 pixels apart
+        step = 0.0
+        do for [d=8:-4:-1] { do for [m in "5 2 1"] { s = real(m)*10.0**d; step = (most <= 0 || s*w/(1.05*most) >= 38) ? s : step } }
+        if (most > 0) { set xtics step } else { set xtics autofreq }
         # base ends of all rows, then the last row to its tip
         plot for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(stem(i, nth(SOLVED[i], n)), unit*column(A))):(PER[LENGTH]*column("height0_m")) with lines lt nth(SOLVED[i], n), \
              for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(last(i, nth(SOLVED[i], n)), unit*column(A))):(PER[LENGTH]*column("height0_m")):(unit*(column(B)-column(A))):(PER[LENGTH]*(column("height1_m")-column("height0_m"))) with vectors nohead lt nth(SOLVED[i], n), \
