@@ -134,7 +134,9 @@
     <xsl:when test="$x = 0">0</xsl:when>
     <xsl:when test="$x &gt;= 0.95 or $power &gt; 30">
       <xsl:value-of select="round($x)"/>
-      <xsl:if test="$power &gt; 0"> × 10⁻<xsl:value-of select="translate($power, '0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹')"/></xsl:if>
+      <xsl:if test="$power &gt; 0">
+        <xsl:text>&#160;×&#160;10⁻</xsl:text><xsl:value-of select="translate($power, '0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹')"/>
+      </xsl:if>
     </xsl:when>
     <xsl:otherwise>
       <xsl:call-template name="tiny">

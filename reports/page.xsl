@@ -56,7 +56,9 @@
   <xsl:param name="id"/><xsl:param name="unit"/><xsl:param name="class" select="'r'"/>
   <th class="{$class}">
     <xsl:call-template name="kept">
-      <xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
     <span class="u"><xsl:value-of select="$unit"/>&#160;</span>
   </th>
@@ -98,7 +100,9 @@
   <th>
     <xsl:if test="contains($one, ':')"><xsl:attribute name="class">r</xsl:attribute></xsl:if>
     <xsl:call-template name="kept">
-      <xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
     <xsl:if test="$units = 'yes'"><span class="u"><xsl:value-of select="substring-after($one, ':')"/>&#160;</span></xsl:if>
   </th>
