@@ -606,11 +606,7 @@
       <button type="button" class="switch">
         <xsl:call-template name="say"><xsl:with-param name="id">lv.switch</xsl:with-param></xsl:call-template></button>
       <xsl:text> </xsl:text>
-      <button type="button" class="play" aria-pressed="false">
-        <xsl:attribute name="data-pause">
-          <xsl:call-template name="say"><xsl:with-param name="id">lv.pause</xsl:with-param></xsl:call-template>
-        </xsl:attribute>
-        <xsl:call-template name="say"><xsl:with-param name="id">lv.play</xsl:with-param></xsl:call-template></button>
+      <xsl:call-template name="live-play"/>
     </p>
     <div class="cols">
       <div class="col stage"></div>
@@ -664,14 +660,6 @@
       </div>
     </div>
   </section>
-</xsl:template>
-
-<xsl:template name="live-row">
-  <xsl:param name="key"/><xsl:param name="unit"/>
-  <tr>
-    <th><xsl:call-template name="say"><xsl:with-param name="id" select="concat('lv.', $key)"/></xsl:call-template></th>
-    <td><b data-key="{$key}">–</b><xsl:text> </xsl:text><xsl:value-of select="$unit"/></td>
-  </tr>
 </xsl:template>
 
 <!-- Figures that stand on the first page. -->

@@ -35,10 +35,29 @@
   </xsl:copy>
 </xsl:template>
 
+<!-- Words of a head: its lines end at zero-width spaces, and they and a short head do not break further (Chinese breaks after
+     any character). -->
+<xsl:template name="kept">
+  <xsl:param name="text"/><xsl:param name="part" select="$lang = 'zh' and string-length($text) &lt;= 4"/>
+  <xsl:choose>
+    <xsl:when test="contains($text, '&#x200B;')">
+      <span class="k"><xsl:value-of select="substring-before($text, '&#x200B;')"/></span>
+      <br/>
+      <xsl:call-template name="kept">
+        <xsl:with-param name="text" select="substring-after($text, '&#x200B;')"/><xsl:with-param name="part" select="true()"/>
+      </xsl:call-template>
+    </xsl:when>
+    <xsl:when test="$part"><span class="k"><xsl:value-of select="$text"/></span></xsl:when>
+    <xsl:otherwise><xsl:value-of select="$text"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <xsl:template name="head">
   <xsl:param name="id"/><xsl:param name="unit"/><xsl:param name="class" select="'r'"/>
   <th class="{$class}">
-    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+    <xsl:call-template name="kept">
+      <xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
     <span class="u"><xsl:value-of select="$unit"/>&#160;</span>
   </th>
 </xsl:template>
@@ -78,7 +97,9 @@
   <xsl:variable name="id" select="substring-before(concat($one, ':'), ':')"/>
   <th>
     <xsl:if test="contains($one, ':')"><xsl:attribute name="class">r</xsl:attribute></xsl:if>
-    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+    <xsl:call-template name="kept">
+      <xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
     <xsl:if test="$units = 'yes'"><span class="u"><xsl:value-of select="substring-after($one, ':')"/>&#160;</span></xsl:if>
   </th>
   <xsl:if test="contains($of, ';')">
@@ -394,7 +415,7 @@
   <html lang="{$lang}">
     <head>
       <meta charset="UTF-8"/>
-      <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:"/>
+      <xsl:call-template name="policy"/>
       <meta name="viewport" content="width=device-width, initial-scale=1"/>
       <meta name="generator" content="windfirm {$p/version}"/>
       <title><xsl:value-of select="$title"/></title>
@@ -410,8 +431,41 @@
       </header>
       <xsl:apply-templates select="." mode="body"/>
       <xsl:call-template name="made"/>
+      <xsl:call-template name="live-script"/>
     </body>
   </html>
+</xsl:template>
+
+<!-- What a page may fetch: nothing; what it may run: its own script, where it has one. -->
+<xsl:template name="policy">
+  <meta http-equiv="Content-Security-Policy">
+    <xsl:attribute name="content">
+      <xsl:text>default-src 'none'; style-src 'unsafe-inline'; img-src data:</xsl:text>
+      <xsl:if test="script">; script-src '<xsl:value-of select="script/@name"/>'</xsl:if>
+    </xsl:attribute>
+  </meta>
+</xsl:template>
+<xsl:template name="live-script">
+  <xsl:if test="script">
+    <script type="application/json" id="live-data"><xsl:value-of select="live"/></script>
+    <script><xsl:value-of select="script"/></script>
+  </xsl:if>
+</xsl:template>
+
+<!-- The button of a picture that plays, and a row of its numbers. -->
+<xsl:template name="live-play">
+  <button type="button" class="play" aria-pressed="false">
+    <xsl:attribute name="data-pause">
+      <xsl:call-template name="say"><xsl:with-param name="id">lv.pause</xsl:with-param></xsl:call-template>
+    </xsl:attribute>
+    <xsl:call-template name="say"><xsl:with-param name="id">lv.play</xsl:with-param></xsl:call-template></button>
+</xsl:template>
+<xsl:template name="live-row">
+  <xsl:param name="key"/><xsl:param name="unit"/><xsl:param name="id" select="concat('lv.', $key)"/>
+  <tr>
+    <th><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></th>
+    <td><b data-key="{$key}">–</b><xsl:text> </xsl:text><xsl:value-of select="$unit"/></td>
+  </tr>
 </xsl:template>
 
 <!-- A key of the results (a method, a wind model, a preset) in words; one without words stands for itself. -->

@@ -203,7 +203,7 @@ class Sheets:
 def keep():
     """Keep lines and style sheets. Returned: the fonts whose lines are kept; None where WeasyPrint is of another version than
     those of which this is known to be right."""
-    if weasyprint.__version__.split('.')[0] not in ('57', '58', '59'):
+    if getattr(weasyprint, '__version__', '').split('.')[0] not in ('57', '58', '59'):
         return None
     try:
         from weasyprint import css
@@ -239,7 +239,8 @@ def filled(page):
 
 
 def laid_out(html, fonts):
-    document = html.render(font_config=fonts)
+    with_fonts = {'font_config': fonts} if fonts else {}
+    document = html.render(**with_fonts)
     if len(document.pages) < 2:
         return document
 
@@ -249,7 +250,7 @@ def laid_out(html, fonts):
         if filled(document.pages[-1]) > SPARSE:
             return document
         for style in CLOSER, CLOSEST, LOWER, WIDER:
-            other = html.render(stylesheets=[weasyprint.CSS(string=style)], font_config=fonts)
+            other = html.render(stylesheets=[weasyprint.CSS(string=style)], **with_fonts)
             if rank(other) < rank(document):
                 document = other
             if not rank(document)[0]:

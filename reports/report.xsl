@@ -470,12 +470,7 @@
   <html lang="{$lang}">
     <head>
       <meta charset="UTF-8"/>
-      <meta http-equiv="Content-Security-Policy">
-        <xsl:attribute name="content">
-          <xsl:text>default-src 'none'; style-src 'unsafe-inline'; img-src data:</xsl:text>
-          <xsl:if test="script">; script-src '<xsl:value-of select="script/@name"/>'</xsl:if>
-        </xsl:attribute>
-      </meta>
+      <xsl:call-template name="policy"/>
       <meta name="viewport" content="width=device-width, initial-scale=1"/>
       <meta name="generator" content="{$r/provenance/program} {$r/provenance/version}"/>
       <title><xsl:call-template name="title"/></title><style><xsl:value-of select="css" disable-output-escaping="yes"/></style>
@@ -553,10 +548,7 @@
         </xsl:call-template>
         <xsl:call-template name="provenance"/>
       </section>
-      <xsl:if test="script">
-        <script type="application/json" id="live-data"><xsl:value-of select="live"/></script>
-        <script><xsl:value-of select="script"/></script>
-      </xsl:if>
+      <xsl:call-template name="live-script"/>
     </body>
   </html>
 </xsl:template>

@@ -154,6 +154,46 @@
   </xsl:if>
 </xsl:template>
 
+<!-- The key frames one after the other, for the screen alone; hidden until its script runs. -->
+<xsl:template name="play">
+  <section id="live" class="live" hidden="hidden">
+    <h3><xsl:call-template name="say"><xsl:with-param name="id">lv.frames</xsl:with-param></xsl:call-template></h3>
+    <p class="controls">
+      <label><xsl:call-template name="say"><xsl:with-param name="id">c.run</xsl:with-param></xsl:call-template>
+        <xsl:text> </xsl:text><select>
+        <xsl:for-each select="$r/runs/item[keys &gt; 1]">
+          <option value="{count(preceding-sibling::item)}"><xsl:call-template name="run-name"/></option>
+        </xsl:for-each>
+      </select></label>
+      <label><xsl:call-template name="say"><xsl:with-param name="id">lv.frame</xsl:with-param></xsl:call-template>
+        <xsl:text> </xsl:text><input type="range" min="1" step="1" value="1"/></label>
+      <xsl:call-template name="live-play"/>
+    </p>
+    <div class="cols">
+      <div class="col stage"></div>
+      <div class="col picture">
+        <table class="block" aria-live="polite">
+          <xsl:call-template name="live-row"><xsl:with-param name="key">time</xsl:with-param>
+            <xsl:with-param name="unit">s</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">wind</xsl:with-param>
+            <xsl:with-param name="id">lv.wind.now</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">tip</xsl:with-param>
+            <xsl:with-param name="id">lv.tip.now</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">moment</xsl:with-param>
+            <xsl:with-param name="id">lv.moment.now</xsl:with-param><xsl:with-param name="unit">kN m</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">safety</xsl:with-param>
+            <xsl:with-param name="id">lv.safety.now</xsl:with-param></xsl:call-template>
+        </table>
+        <p class="care beyond" hidden="hidden">
+          <xsl:call-template name="say"><xsl:with-param name="id">lv.broken</xsl:with-param></xsl:call-template></p>
+        <p class="note"><xsl:call-template name="say"><xsl:with-param name="id">lv.frames.note</xsl:with-param></xsl:call-template></p>
+        <p class="note stems" hidden="hidden">
+          <xsl:call-template name="say"><xsl:with-param name="id">lv.stems</xsl:with-param></xsl:call-template></p>
+      </div>
+    </div>
+  </section>
+</xsl:template>
+
 <xsl:template match="/report" mode="body">
   <div class="summary">
     <xsl:variable name="broken" select="$r/runs/item[breaks_at_s != '']"/>
@@ -203,6 +243,7 @@
     <xsl:if test="$r/note != ''"><p><xsl:value-of select="$r/note"/></p></xsl:if>
   </div>
   <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.series</xsl:with-param></xsl:call-template>
+  <xsl:if test="script"><xsl:call-template name="play"/></xsl:if>
   <xsl:call-template name="h2"><xsl:with-param name="id">sr.h.runs</xsl:with-param></xsl:call-template>
   <xsl:call-template name="runs"/>
   <xsl:call-template name="shapes"/>

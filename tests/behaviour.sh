@@ -352,8 +352,13 @@ LOGGER = logging.getLogger('weasyprint')
 
 
 class HTML:
+    pages = [None]
+
     def __init__(self, **page):
         self.size = len(page['string'])
+
+    def render(self):
+        return self
 
     def write_pdf(self, name):
         with open(name, 'w') as pdf:

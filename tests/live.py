@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# A report's page in headless Chromium: moves the slider, compares its numbers with the tables of the page and with the
+# The page of a report, or of runs in time, in headless Chromium: moves the slider, compares its numbers with the tables of the page and with the
 # results, and takes pictures of a telephone and a desk.
 #   python3 live.py FOLDER CHROMIUM [PICTURES]
 # Chromium is driven through pipes, so that no port is opened. Prints "live: N numbers", or what is wrong.
@@ -95,31 +95,33 @@ def near(what, shown, want):
         wrong.append(f'{what}: {shown}, want {want}')
 
 
-def played():
-    """The button plays wind by wind to the last, and pauses; with less motion it goes one step."""
+def played(first=0, pace=0.9):
+    """The button plays step by step from the first to the last, and pauses; with less motion it goes one step."""
     state = "document.querySelector('#live .play').getAttribute('aria-pressed')"
     at = "Number(document.querySelector('#live input').value)"
     last = int(browser.js("document.querySelector('#live input').max"))
     browser.js("document.querySelector('#live .play').focus()")
     browser.key(' ', 32)
-    if browser.js(state) != 'true' or browser.js(at) != 0:
-        wrong.append('play does not begin at still air')
-    time.sleep(1.2)
+    if browser.js(state) != 'true' or browser.js(at) != first:
+        wrong.append('play does not begin at the first')
+    time.sleep(1.35 * pace)
     browser.key(' ', 32)
     here = browser.js(at)
-    if browser.js(state) != 'false' or here not in (1, 2):
-        wrong.append(f'play: at {here} after 1.2 s, pressed {browser.js(state)}')
-    time.sleep(1.2)
+    if browser.js(state) != 'false' or here not in (first + 1, first + 2):
+        wrong.append(f'play: at {here} after {1.35 * pace:.1f} s, pressed {browser.js(state)}')
+    time.sleep(1.35 * pace)
     if browser.js(at) != here:
         wrong.append('play goes on after the pause')
     browser.js("document.querySelector('#live .play').click()")
-    time.sleep(0.95 * (last + 1))
+    time.sleep((pace + 0.05) * (last + 1))
     if browser.js(at) != last or browser.js(state) != 'false':
         wrong.append(f'play ends at {browser.js(at)}, not {last}')
     browser.call('Emulation.setEmulatedMedia', features=[{'name': 'prefers-reduced-motion', 'value': 'reduce'}])
-    browser.js("document.querySelector('#live .switch').click(); document.querySelector('#live .play').click()")
-    time.sleep(1.1)
-    if browser.js(at) != 1 or browser.js(state) != 'false':
+    browser.js("document.querySelector('#live input').focus()")
+    browser.key('Home', 36)
+    browser.js("document.querySelector('#live .play').click()")
+    time.sleep(1.2 * pace)
+    if browser.js(at) != first + 1 or browser.js(state) != 'false':
         wrong.append(f'with less motion a press goes to {browser.js(at)}')
     browser.call('Emulation.setEmulatedMedia', features=[])
 
@@ -137,7 +139,7 @@ def hovered(tree):
 def turned(k, tree):
     """The arrow of the rose turns with the slider; its numbers are those of the table of directions."""
     hidden = browser.js("document.querySelector('#live .around').hidden")
-    rows = [r for r in around if int(r['tree']) == k + 1]
+    rows = [r for r in table('directions') if int(r['tree']) == k + 1]
     if hidden != (not rows):
         wrong.append(f'the rose is {"hidden" if hidden else "there"}')
     if not rows:
@@ -158,43 +160,91 @@ def turned(k, tree):
             wrong.append(f"the arrow is at {arrow}, not {row['from_deg']}")
 
 
+def winds():
+    """The slider of a report: every tree at every wind."""
+    summary = table('summary')
+    for k, tree in enumerate(results['trees']):
+        rows = [r for r in summary if int(r['tree']) == k + 1 and r['status'] == 'ok']
+        browser.js(f"var c = document.querySelector('#live select'); c.value = '{k}'; c.dispatchEvent(new Event('change')); 0")
+        if browser.js("document.querySelector('#live select').selectedOptions[0].textContent") != tree['species']['name']:
+            wrong.append(f'tree {k + 1}: not its name')
+        browser.js("document.querySelector('#live input').focus()")
+        browser.key('Home', 36)
+        near('still air', read('moment'), 0)
+        shapes = {browser.js("document.querySelector('#live svg .bent').getAttribute('d')")}
+        for row in rows:
+            browser.key('ArrowRight', 39)
+            near('speed', read('speed'), row['wind_m_s'])
+            near('tip', read('tip'), row['mean_tip_deflection_m'] or row['tip_deflection_m'])
+            near('top', read('top'), row['mean_top_deflection_m'] or row['top_deflection_m'])
+            near('moment', read('moment'), float(row['base_moment_Nm']) / 1e3)
+            near('breakage', read('breakage'), row['least_safety'])
+            near('safety', read('safety'), row['tree_safety'])
+            shapes.add(browser.js("document.querySelector('#live svg .bent').getAttribute('d')"))
+            lost = row['lost_wind_m_s'] and float(row['wind_m_s']) > float(row['lost_wind_m_s'])
+            if browser.js("document.querySelector('#live .beyond').hidden") == bool(lost):
+                wrong.append(f"{row['wind_m_s']} m/s: beyond the loss or not")
+        if len(shapes) != len(rows) + 1:
+            wrong.append(f'{len(shapes)} shapes of {len(rows)} winds and still air')
+        browser.js("document.querySelector('#live .switch').click()")
+        near('after the switch', read('moment'), 0)
+        browser.js("document.querySelector('#live .switch').click()")
+        played()
+        hovered(tree)
+        turned(k, tree)
+
+
+def table(name):
+    path = f'{folder}/tables/{name}.csv'
+    return list(csv.DictReader(open(path))) if os.path.exists(path) else []
+
+
+def frames():
+    """The slider of a page of runs: every key frame of every run that has several."""
+    drawn, course = table('frames'), table('series')
+    for k, run in enumerate(results['runs']):
+        mine = [r for r in drawn if int(r['run']) == k + 1]
+        there = browser.js(f"Array.from(document.querySelectorAll('#live option')).some(function (o) {{ return o.value === '{k}'; }})")
+        if there != (run['keys'] > 1):
+            wrong.append(f'run {k + 1}: can be chosen: {there}')
+        if not there:
+            continue
+        browser.js(f"var c = document.querySelector('#live select'); c.value = '{k}'; c.dispatchEvent(new Event('change')); 0")
+        if int(browser.js("document.querySelector('#live input').max")) != run['keys']:
+            wrong.append(f'run {k + 1}: not {run["keys"]} frames')
+        browser.js("document.querySelector('#live input').focus()")
+        browser.key('Home', 36)
+        for key in range(1, run['keys'] + 1):
+            if key > 1:
+                browser.key('ArrowRight', 39)
+            rows = [r for r in mine if int(r['key']) == key]
+            now = [r for r in course if int(r['run']) == k + 1 and r['time_s'] == rows[0]['time_s']][0]
+            near('time', read('time'), now['time_s'])
+            near('wind', read('wind'), now['wind_m_s'])
+            near('tip', read('tip'), now['tip_deflection_m'])
+            near('moment', read('moment'), float(now['base_moment_N_m']) / 1e3)
+            near('safety', read('safety'), now['safety'])
+            line = browser.js("document.querySelector('#live svg .bent').getAttribute('d')").split('M')[1:]
+            stems = not browser.js("document.querySelector('#live .stems').hidden")
+            rows = [r for r in rows if not stems or r['level'] == '0']
+            if len(line) != len(rows):
+                wrong.append(f'run {k + 1}, frame {key}: {len(line)} segments, not {len(rows)}')
+            end = [float(x) for x in line[-1].split('L')[1].split()]
+            if abs(end[0] - float(rows[-1]['along1_m'])) > 1e-4 or abs(end[1] + float(rows[-1]['z1_m'])) > 1e-4:
+                wrong.append(f'run {k + 1}, frame {key}: ends at {end}')
+            if browser.js("document.querySelector('#live .beyond').hidden") == (now['beyond_breakage'] == '1'):
+                wrong.append(f'run {k + 1}, frame {key}: broken or not')
+        played(1, 0.7)
+
+
 results = json.load(open(folder + '/results.json'))
-summary = list(csv.DictReader(open(folder + '/tables/summary.csv')))
-around = list(csv.DictReader(open(folder + '/tables/directions.csv'))) if os.path.exists(folder + '/tables/directions.csv') else []
+series = 'runs' in results
 browser = Browser()
-browser.open(folder + '/report.html')
+browser.open(folder + ('/series.html' if series else '/report.html'))
 read = lambda key: browser.js(f"document.querySelector('#live [data-key={key}]').textContent")
 if browser.js("document.getElementById('live').hidden"):
     wrong.append('the picture stays hidden')
-for k, tree in enumerate(results['trees']):
-    rows = [r for r in summary if int(r['tree']) == k + 1 and r['status'] == 'ok']
-    browser.js(f"var c = document.querySelector('#live select'); c.value = '{k}'; c.dispatchEvent(new Event('change')); 0")
-    if browser.js("document.querySelector('#live select').selectedOptions[0].textContent") != tree['species']['name']:
-        wrong.append(f'tree {k + 1}: not its name')
-    browser.js("document.querySelector('#live input').focus()")
-    browser.key('Home', 36)
-    near('still air', read('moment'), 0)
-    shapes = {browser.js("document.querySelector('#live svg .bent').getAttribute('d')")}
-    for row in rows:
-        browser.key('ArrowRight', 39)
-        near('speed', read('speed'), row['wind_m_s'])
-        near('tip', read('tip'), row['mean_tip_deflection_m'] or row['tip_deflection_m'])
-        near('top', read('top'), row['mean_top_deflection_m'] or row['top_deflection_m'])
-        near('moment', read('moment'), float(row['base_moment_Nm']) / 1e3)
-        near('breakage', read('breakage'), row['least_safety'])
-        near('safety', read('safety'), row['tree_safety'])
-        shapes.add(browser.js("document.querySelector('#live svg .bent').getAttribute('d')"))
-        lost = row['lost_wind_m_s'] and float(row['wind_m_s']) > float(row['lost_wind_m_s'])
-        if browser.js("document.querySelector('#live .beyond').hidden") == bool(lost):
-            wrong.append(f"{row['wind_m_s']} m/s: beyond the loss or not")
-    if len(shapes) != len(rows) + 1:
-        wrong.append(f'{len(shapes)} shapes of {len(rows)} winds and still air')
-    browser.js("document.querySelector('#live .switch').click()")
-    near('after the switch', read('moment'), 0)
-    browser.js("document.querySelector('#live .switch').click()")
-    played()
-    hovered(tree)
-    turned(k, tree)
+frames() if series else winds()
 for name, width, height in (('phone', 390, 844), ('desk', 1280, 900)):
     browser.size(width, height)
     wide = browser.js("document.documentElement.scrollWidth")

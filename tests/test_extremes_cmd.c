@@ -117,7 +117,7 @@ static void pages_are_drawn(void **state)
           "zh && grep -c "
           "'50 年一遇' $T/out/extremes.html",
           CODE_OK,
-          { "Plots and pages" } },
+          { "图与页面" } },
     };
     CHECK(rows);
 }

@@ -40,6 +40,12 @@ static void data_are_text(void **state)
                   "END\n",
           CODE_OK,
           { "True" } },
+        { "grep -c -e 'innerHTML' -e 'document.write' -e 'eval(' reports/frames.js; $W series oak --model "
+          "culm --wind 8 "
+          "--duration 2 --step 0.5 --gust cosine --keys 3 --no-vtk --no-pdf -q -o $T/out 2>$T/said; grep -o "
+          "'<script[^>]*>' $T/out/series.html; grep -o \"script-src 'sha256-\" $T/out/series.html",
+          CODE_OK,
+          { "0\n<script type=\"application/json\" id=\"live-data\">\n<script>\n", "script-src 'sha256-" } },
     };
     CHECK(rows);
 }
@@ -53,12 +59,18 @@ static void every_page_is_closed(void **state)
 {
     (void)state;
     static const struct row rows[] = {
+        { "$W series oak --model culm --wind 8 --no-vtk --no-pdf -q -o $T/out >$T/said 2>&1; grep -c -e "
+          "'<script' "
+          "-e script-src -e 'id=\"live\"' $T/out/series.html",
+          CODE_RUN,
+          { "0\n" } },
         { "$W modes oak --model culm --wind 0,10 --no-pdf -q -o $T/out >/dev/null 2>&1; head -c 800 "
           "$T/out/modes.html; echo; grep -c '<script' "
           "$T/out/modes.html",
           CODE_RUN,
           { HEADS, "name=\"viewport\" content=\"width=device-width", "\n0\n" } },
-        { "test -z \"$(for p in reports/*.xsl; do grep -q '<html lang' $p && grep -L Content-Security-Policy "
+        { "test -z \"$(for p in reports/*.xsl; do grep -q '<html lang' $p && grep -L 'call-template "
+          "name=.policy.' "
           "$p; done)\" && echo all",
           CODE_OK,
           { "all\n" } },
@@ -100,6 +112,11 @@ static void in_a_browser(void **state)
           CODE_OK,
           { "live: 47 numbers" } },
         { HOSTILE "timeout 120 python3 tests/live.py $T/out chromium", CODE_OK, { "live: 42 numbers" } },
+        { "$W series oak --model culm --wind 40 --duration 3 --step 0.5 --gust cosine --keys 3 --no-vtk "
+          "--no-pdf -q "
+          "-o $T/out 2>$T/said; timeout 120 python3 tests/live.py $T/out chromium",
+          CODE_OK,
+          { "live: 15 numbers" } },
     };
     CHECK(rows);
 }

@@ -163,22 +163,163 @@ static json_t *units_part(struct wf_doc *d, const char *units)
     return o;
 }
 
+/* Where the columns of the key frames stand: run, key, time, wind, level, base and end (along, z). */
+struct frame_columns {
+    size_t run, key, time, wind, level, at[4];
+};
+
+static enum wf_status open_frames(struct wf_csv *c, const char *path, struct wf_arena *a,
+                                  struct wf_diag *diag, struct frame_columns *k, struct wf_err *e)
+{
+    static const char *const name[] = { "along0_m", "z0_m", "along1_m", "z1_m" };
+    if (wf_csv_open(c, path, a, diag, e)) return e->code;
+    *k =
+        (struct frame_columns){ wf_csv_need(c, "run"),      wf_csv_need(c, "key"),   wf_csv_need(c, "time_s"),
+                                wf_csv_need(c, "wind_m_s"), wf_csv_need(c, "level"), { 0 } };
+    for (size_t i = 0; i < 4; i++) k->at[i] = wf_csv_need(c, name[i]);
+    return diag->errors ? wf_fail(e, WF_EINPUT, "%s: is no table of key frames", path) : WF_OK;
+}
+
+/* The frame of that number, the next one made if need be. NULL: no run that is shown, or a frame is left out.
+ */
+static json_t *frame_of(struct wf_doc *d, json_t *runs, double run, double key, double time, double wind)
+{
+    json_t *keys = json_object_get(json_array_get(runs, (size_t)run - 1), "keys");
+    if (keys && (size_t)key == json_array_size(keys)) {
+        json_t *o = wf_doc_add(d, keys, wf_doc_object(d));
+        wf_doc_number(d, o, "time", time);
+        wf_doc_number(d, o, "wind", wind);
+        wf_doc_put(d, o, "lines", wf_doc_array(d));
+    }
+    return json_array_get(keys, (size_t)key);
+}
+
+/* Segments of the key frames into their runs, the stem's alone where `stem`; with runs NULL they are counted:
+ * n[0] all, n[1] those of stems. */
+static enum wf_status read_frames(const char *path, json_t *runs, bool stem, struct wf_doc *d, size_t n[2],
+                                  struct wf_err *e)
+{
+    struct wf_arena a = { 0 };
+    struct wf_diag diag = { .arena = &a };
+    struct wf_csv c;
+    struct frame_columns k = { 0 };
+    enum wf_status s = open_frames(&c, path, &a, &diag, &k, e);
+    while (!s && wf_csv_next(&c)) {
+        double run, key, time, wind, level, at[4];
+        bool read = wf_csv_number(&c, k.run, 1, 1e6, &run) && wf_csv_number(&c, k.key, 0, 1e6, &key) &&
+                    wf_csv_number(&c, k.time, 0, 1e9, &time) && wf_csv_number(&c, k.wind, -1e3, 1e3, &wind) &&
+                    wf_csv_number(&c, k.level, 0, 1e3, &level);
+        for (size_t i = 0; i < 4 && read; i++) read = wf_csv_number(&c, k.at[i], -1e6, 1e6, &at[i]);
+        if (!read) s = wf_fail(e, WF_EINPUT, "%s: is no table of key frames", path);
+        if (s || !runs) {
+            if (!s) n[0]++, n[1] += level < 1;
+            continue;
+        }
+        json_t *frame = stem && level >= 1 ? NULL : frame_of(d, runs, run, key, time, wind);
+        for (size_t i = 0; frame && i < 4; i++)
+            wf_doc_add(d, json_object_get(frame, "lines"), json_real(rounded(at[i])));
+    }
+    wf_arena_free(&a);
+    return s;
+}
+
+/* A cell that may be empty. */
+static double cell(struct wf_csv *c, size_t column)
+{
+    double x;
+    return column != WF_CSV_NONE && wf_csv_value(c, column, &x) == WF_CSV_NUMBER ? x : NAN;
+}
+
+/* Numbers of the key frames, from the table of all frames: both are in the order of time. */
+static enum wf_status read_series(const char *path, json_t *runs, struct wf_doc *d, struct wf_err *e)
+{
+    struct wf_arena a = { 0 };
+    struct wf_diag diag = { .arena = &a };
+    struct wf_csv c;
+    size_t next[TREES];
+    enum wf_status s = wf_csv_open(&c, path, &a, &diag, e);
+    if (s) return wf_arena_free(&a), s;
+    size_t in = wf_csv_need(&c, "run"), when = wf_csv_need(&c, "time_s"),
+           tip = wf_csv_need(&c, "tip_deflection_m"), moment = wf_csv_need(&c, "base_moment_N_m"),
+           safety = wf_csv_column(&c, "safety"), beyond = wf_csv_column(&c, "beyond_breakage");
+    if (diag.errors) s = wf_fail(e, WF_EINPUT, "%s: is no table of frames", path);
+    for (size_t i = 0; i < TREES; i++) next[i] = 1; /* 0 is the unloaded tree */
+    while (!s && wf_csv_next(&c)) {
+        double run = cell(&c, in), time = cell(&c, when);
+        if (!(run >= 1 && run <= TREES)) continue;
+        json_t *keys = json_object_get(json_array_get(runs, (size_t)run - 1), "keys"), *o;
+        while ((o = json_array_get(keys, next[(size_t)run - 1])) &&
+               json_number_value(json_object_get(o, "time")) <= time) {
+            wf_doc_number(d, o, "tip", cell(&c, tip));
+            wf_doc_number(d, o, "moment", cell(&c, moment) / 1e3);
+            wf_doc_number(d, o, "safety", cell(&c, safety));
+            wf_doc_flag(d, o, "broken", cell(&c, beyond) > 0);
+            next[(size_t)run - 1]++;
+        }
+    }
+    wf_arena_free(&a);
+    return s;
+}
+
+/* The runs of a document in time that have several key frames; `runs` stays empty where the page would become
+ * too heavy even with stems alone. */
+static enum wf_status frames_part(struct wf_doc *d, json_t *o, const char *folder, const json_t *results,
+                                  struct wf_err *e)
+{
+    char path[WF_PATH_MAX], all[WF_PATH_MAX];
+    size_t n[2] = { 0 }, i;
+    json_t *runs = wf_doc_put(d, o, "runs", wf_doc_array(d)), *x;
+    enum wf_status s = wf_folder_path(folder, "tables/frames.csv", path, e);
+    if (!s) s = wf_folder_path(folder, "tables/series.csv", all, e);
+    if (!s) s = read_frames(path, NULL, false, d, n, e);
+    if (s || n[1] > POINTS / 2) return s;
+    json_array_foreach(json_object_get(results, "runs"), i, x) if (i < TREES)
+    {
+        json_t *run = wf_doc_add(d, runs, wf_doc_object(d));
+        if (json_number_value(json_object_get(x, "keys")) > 1) wf_doc_put(d, run, "keys", wf_doc_array(d));
+    }
+    wf_doc_flag(d, o, "stems", n[0] > POINTS / 2);
+    s = read_frames(path, runs, n[0] > POINTS / 2, d, n, e);
+    return s ? s : read_series(all, runs, d, e);
+}
+
+static enum wf_status trees_part(struct wf_doc *d, json_t *o, const char *folder, const json_t *results,
+                                 struct wf_err *e)
+{
+    char path[WF_PATH_MAX];
+    json_t *trees = wf_doc_put(d, o, "trees", wf_doc_array(d)), *x;
+    size_t i, n = 0, rows;
+    json_array_foreach(json_object_get(results, "trees"), i, x) if (i < TREES)
+        wf_doc_add(d, trees, tree_part(d, x));
+    enum wf_status s = wf_folder_path(folder, "tables/shape.csv", path, e);
+    if (!s) s = read_shapes(path, results, trees, false, true, d, &n, e);
+    return s ? s : read_shapes(path, results, trees, n <= POINTS, false, d, &rows, e);
+}
+
+/* Has the document something to play? */
+static bool moves(const json_t *results)
+{
+    const json_t *x;
+    size_t i;
+    json_array_foreach(json_object_get(results, "runs"), i,
+                       x) if (json_number_value(json_object_get(x, "keys")) > 1) return true;
+    return json_is_array(json_object_get(results, "trees"));
+}
+
 enum wf_status wf_live_data(const char *folder, const json_t *results, const char *units, struct wf_arena *a,
                             const char **out, struct wf_err *e)
 {
     struct wf_doc d = { 0 };
-    char path[WF_PATH_MAX];
-    json_t *o = wf_doc_object(&d), *trees = wf_doc_put(&d, o, "trees", wf_doc_array(&d)), *x;
-    size_t i, n = 0, rows;
-    json_array_foreach(json_object_get(results, "trees"), i, x) if (i < TREES)
-        wf_doc_add(&d, trees, tree_part(&d, x));
+    *out = NULL;
+    if (!moves(results)) return WF_OK;
+    json_t *o = wf_doc_object(&d);
     wf_doc_put(&d, o, "units", units_part(&d, units));
-    enum wf_status s = wf_folder_path(folder, "tables/shape.csv", path, e);
-    if (!s) s = read_shapes(path, results, trees, false, true, &d, &n, e);
-    if (!s) s = read_shapes(path, results, trees, n <= POINTS, false, &d, &rows, e);
-    char *text = s || d.failed ? NULL : json_dumps(o, JSON_COMPACT | JSON_REAL_PRECISION(7));
+    bool time = json_is_array(json_object_get(results, "runs"));
+    enum wf_status s = (time ? frames_part : trees_part)(&d, o, folder, results, e);
+    bool none = time && !json_array_size(json_object_get(o, "runs"));
+    char *text = s || none || d.failed ? NULL : json_dumps(o, JSON_COMPACT | JSON_REAL_PRECISION(7));
     *out = text ? wf_arena_print(a, "%s", text) : NULL;
-    if (!s && !*out) s = wf_fail(e, WF_ENOMEM, "%s: no memory for the page", folder);
+    if (!s && !*out && !none) s = wf_fail(e, WF_ENOMEM, "%s: no memory for the page", folder);
     free(text);
     json_decref(o);
     return s;

@@ -27,23 +27,24 @@ struct kind {
     int version;               /* of the schema that is read                                 */
     const char *page;          /* FOLDER/PAGE.html and PAGE.pdf, by reports/PAGE.xsl          */
     const char *const *figure; /* ends at NULL; NULL: the document lists them under "figures" */
+    const char *script;        /* of a picture with a slider; NULL: none                       */
 };
 static const char *const report_figures[] = { "shapes", "tip", "safety", "stem", NULL };
 static const char *const fit_figures[] = { "fit_readings", "fit_residuals", "fit_profiles", "fit_records",
                                            NULL };
 static const struct kind kinds[] = {
-    { WF_RESULTS_SCHEMA, WF_RESULTS_VERSION, "report", report_figures },
-    { "windfirm-fit", 1, "calibration", fit_figures },
-    { "windfirm-series", 1, "series", NULL },
-    { "windfirm-explain", 1, "explain", NULL },
-    { "windfirm-wind", 1, "wind", NULL },
-    { "windfirm-rose", 1, "rose", NULL },
-    { "windfirm-shelter", 1, "shelter", NULL },
-    { "windfirm-terrain", 1, "terrain", NULL },
-    { "windfirm-rain", 1, "rain", NULL },
-    { "windfirm-modes", 1, "modes", NULL },
-    { "windfirm-fragility", 1, "fragility", NULL },
-    { "windfirm-extremes", 1, "extremes", NULL },
+    { WF_RESULTS_SCHEMA, WF_RESULTS_VERSION, "report", report_figures, "live.js" },
+    { "windfirm-fit", 1, "calibration", fit_figures, NULL },
+    { "windfirm-series", 1, "series", NULL, "frames.js" },
+    { "windfirm-explain", 1, "explain", NULL, NULL },
+    { "windfirm-wind", 1, "wind", NULL, NULL },
+    { "windfirm-rose", 1, "rose", NULL, NULL },
+    { "windfirm-shelter", 1, "shelter", NULL, NULL },
+    { "windfirm-terrain", 1, "terrain", NULL, NULL },
+    { "windfirm-rain", 1, "rain", NULL, NULL },
+    { "windfirm-modes", 1, "modes", NULL, NULL },
+    { "windfirm-fragility", 1, "fragility", NULL, NULL },
+    { "windfirm-extremes", 1, "extremes", NULL, NULL },
 };
 
 struct job {
@@ -191,23 +192,30 @@ static const char *script_name(const struct wf_bytes *script, struct wf_arena *a
     return text ? wf_arena_print(a, "sha256-%s", text) : NULL;
 }
 
-/* Add the picture that answers: <live>data</live> and <script name="sha256-...">. Without it the page is
+/* Add the picture with a slider: <live>data</live> and <script name="sha256-...">. Without it the page is
  * whole. */
-static enum wf_status add_live(struct job *j)
+static enum wf_status put_live(struct job *j, const char *data, struct wf_arena *scratch)
 {
     char path[WF_PATH_MAX];
-    struct wf_arena scratch = { 0 };
     struct wf_bytes script = { 0 };
-    const char *data = NULL, *name = NULL;
+    const char *name = NULL;
     xmlNode *root = xmlDocGetRootElement(j->document), *node = NULL;
-    enum wf_status code = wf_report_asset("live.js", path, sizeof path, j->e);
-    if (!code) code = wf_file_read_text(path, &scratch, &script, j->e);
-    if (!code) code = wf_live_data(j->folder, j->results, j->units, &scratch, &data, j->e);
-    if (!code && (name = script_name(&script, &scratch)))
+    enum wf_status code = wf_report_asset(j->kind->script, path, sizeof path, j->e);
+    if (!code) code = wf_file_read_text(path, scratch, &script, j->e);
+    if (!code && (name = script_name(&script, scratch)))
         node = xmlNewTextChild(root, NULL, BAD_CAST "script", BAD_CAST script.data);
     if (!code && (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name) ||
                   !xmlNewTextChild(root, NULL, BAD_CAST "live", BAD_CAST data)))
         code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
+    return code;
+}
+
+static enum wf_status add_live(struct job *j)
+{
+    struct wf_arena scratch = { 0 };
+    const char *data = NULL;
+    enum wf_status code = wf_live_data(j->folder, j->results, j->units, &scratch, &data, j->e);
+    if (!code && data) code = put_live(j, data, &scratch);
     wf_arena_free(&scratch);
     return code;
 }
@@ -464,7 +472,7 @@ enum wf_status wf_report_make(const char *folder, const struct wf_page_style *st
     if (!code) code = read_results(&j);
     if (!code) code = make_document(&j);
     if (!code) code = add_pictures(&j);
-    if (!code && j.kind->figure == report_figures) code = add_live(&j);
+    if (!code && j.kind->script) code = add_live(&j);
     if (!code) code = draw_kind(&j);
     if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);

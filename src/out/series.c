@@ -73,7 +73,7 @@ static void frames(const struct wf_series_page *p, FILE *f)
                 double a[3] = { t->x0[i], t->y0[i], t->z0[i] }, b[3] = { t->x1[i], t->y1[i], t->z1[i] };
                 size_t frame = k ? s->key[k - 1] : 0;
                 if (k) base_of(s, frame, i, a), end_of(s, frame, i, b);
-                fprintf(f, "%zu,%zu,%.6g,%.6g,%lld,%d,%.5g,%.6g,%.6g,%.6g,%.6g\n", r + 1, k,
+                fprintf(f, "%zu,%zu,%.7g,%.6g,%lld,%d,%.5g,%.6g,%.6g,%.6g,%.6g\n", r + 1, k,
                         k ? (double)frame * s->spec.step : 0, k ? s->wind[frame] : 0, (long long)t->id[i],
                         (int)t->level[i], 0.5 * (t->r0[i] + t->r1[i]), along(s, a), a[2], along(s, b), b[2]);
             }

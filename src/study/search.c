@@ -420,6 +420,10 @@ static enum wf_status totals_there(const struct search *q, const struct wf_solve
         s = wf_nodes_solve_part(q->nodes, quick, node->at.speed, WF_NODE_STEM, &stem, e);
     if (s || stem->at.status) return s;
     move_totals(q, stem, step, &out->at);
+    if (stem == node) return WF_OK;
+    struct wf_at_speed branches;
+    move_totals(q, node, step, &branches);
+    wf_speed_take_branches(q->an, &branches, &out->at);
     return WF_OK;
 }
 
