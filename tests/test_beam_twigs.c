@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees whose twigs snap: settling the twigs by themselves gives the same stem as stepping the whole tree. */
 #include "beam_cases.h"
+#include "solve/beam_parts.h"
 #include "solve/beam_settle.h"
 #include <stdlib.h>
 
@@ -105,8 +106,48 @@ static void twigs_do_not_stop_a_tree(void **state)
     assert_true(6 * other <= found && most < 1e-3); /* a twig that falls may come to rest on either side */
 }
 
+static bool solve_part(struct wf_beam *b, void *context)
+{
+    *(size_t *)context += b->only->n;
+    return wf_beam_newton(b) == WF_OK;
+}
+
+/* One twig is bent away from the equilibrium: it is found, and Newton's method of it alone leads back, while
+ * the others keep their shapes to the last bit. */
+static void a_twig_by_itself(void **state)
+{
+    (void)state;
+    const int32_t twig = STEM + 40 * PIECES;
+    struct beam_case c;
+    struct wf_arena a = { 0 };
+    struct wf_beam b;
+    bush(&c, 3);
+    beam_blow(&c, 2, 0, 0);
+    assert_int_equal(settle_whole(&c, &a, &b), WF_OK);
+    struct wf_beam_shape *rest = WF_TAKE(&a, b.mesh.n, struct wf_beam_shape);
+    const size_t from = (size_t)b.mesh.first[twig], to = (size_t)b.mesh.last[twig + PIECES - 1];
+    size_t passed = 0, own = 0;
+    memcpy(rest, b.shape, b.mesh.n * sizeof *rest);
+    for (size_t i = from; i <= to; i++) b.shape[i].v[1][0] += 0.05;
+    wf_beam_sweep_up(&b);
+    assert_true(wf_beam_sweep_down(&b, true, NULL));
+    const struct wf_beam_parts parts = wf_beam_find_parts(&b, 1e-3);
+    for (size_t i = 0; i < b.mesh.n; i++) own += !b.part.held[i];
+    assert_true(!parts.large && parts.share > 0.99 && parts.n == own && own == to - from + 1);
+    assert_false(b.part.held[from]);
+    assert_true(wf_beam_each_part(&b, parts.n, INFINITY, solve_part, &passed));
+    assert_int_equal(passed, parts.n);
+    for (size_t i = 0; i < b.mesh.n; i++)
+        if (i < from || i > to) assert_memory_equal(b.shape[i].v, rest[i].v, sizeof rest[i].v);
+    for (size_t i = from; i <= to; i++)
+        for (int k = 0; k < 6; k++) assert_close(b.shape[i].v[k / 3][k % 3], rest[i].v[k / 3][k % 3], 1e-7);
+    wf_arena_free(&a);
+    beam_free(&c);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(twigs_do_not_stop_a_tree) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(twigs_do_not_stop_a_tree),
+                                        cmocka_unit_test(a_twig_by_itself) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -78,6 +78,40 @@ static void same_answers_in_any_order(void **state)
     beam_free(&c);
 }
 
+/* A rod between two branches: its force is that of the wind solved for, whatever was solved before. */
+static void rods_in_any_order(void **state)
+{
+    (void)state;
+    static const double speed[] = { 10, 0, 25, 3, 24, 40, 5 }, tolerance[] = { 1e-6, 1e-4 };
+    enum { FROM = STEM + 1, TO = STEM + 3 };
+    for (size_t m = 0; m < sizeof tolerance / sizeof *tolerance; m++) {
+        struct beam_case c;
+        struct wf_track *k;
+        struct wf_tracked r;
+        double size;
+        young_tree(&c);
+        const struct wf_tree *t = &c.tree;
+        struct wf_link rod = { .segment = { FROM, TO }, .stiffness = 2e4, .pushes = true };
+        rod.length = 0.98 * sqrt(pow(t->x1[FROM] - t->x1[TO], 2) + pow(t->y1[FROM] - t->y1[TO], 2) +
+                                 pow(t->z1[FROM] - t->z1[TO], 2));
+        c.loads.link = &rod, c.loads.links = 1;
+        c.options.mesh_tolerance = tolerance[m];
+        assert_int_equal(wf_track_open(&c.tree, &c.options, NULL, &k, &c.err), WF_OK);
+        for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
+            assert_int_equal(at_speed(&c, k, speed[i], 0, &r), WF_OK);
+            beam_blow(&c, speed[i], 0, 0);
+            if (!(speed[i] > 0)) c.loads.wind = NULL;
+            beam_solve(&c);
+            double off = largest_difference(&r.at, &c.out, &size);
+            assert_true(off <= 2 * tolerance[m] * size);
+            assert_true(fabs(r.at.link[0] - c.out.link[0]) <= 1e-3 * tolerance[m] * rod.stiffness);
+            c.loads.wind = &c.wind;
+        }
+        wf_track_close(k);
+        beam_free(&c);
+    }
+}
+
 /* The derivative of every moment against central differences of solutions on the same mesh. */
 static void slopes_are_derivatives(void **state)
 {
@@ -135,6 +169,7 @@ static void tip_of_a_coarse_mesh(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(same_answers_in_any_order),
+                                        cmocka_unit_test(rods_in_any_order),
                                         cmocka_unit_test(slopes_are_derivatives),
                                         cmocka_unit_test(tip_of_a_coarse_mesh) };
     return cmocka_run_group_tests(tests, NULL, NULL);

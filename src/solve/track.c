@@ -216,6 +216,7 @@ static void carry_form(struct wf_track *k, struct wf_beam *own, struct form from
 {
     memcpy(own->shape, from.shape, own->mesh.n * sizeof *own->shape);
     memcpy(own->tilt, from.tilt, k->tree->n * sizeof *own->tilt);
+    own->links = NULL; /* the present forces of links are those of the solution */
     wf_beam_sweep_up(own);
     wf_beam_carry(own, &k->beam);
     keep(k, to);
