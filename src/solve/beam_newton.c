@@ -530,7 +530,7 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     enum { TRIES = 8 };
     const double nearly = 0.8, few = 0.5;
     double before = INFINITY, relaxed_at = INFINITY;
-    if (!b->only) b->tries = b->off && !b->links ? TRIES : 0;
+    if (!b->only) b->tries = b->off && !b->links && !b->by_steps ? TRIES : 0;
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;

@@ -126,8 +126,8 @@ static bool take_fallback(struct wf_beam *b, struct wf_arena *a, struct saved_sh
 }
 
 /* Load steps, then creep. */
-static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last,
-                           struct wf_beam_outcome *out)
+static bool step_then_creep(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last,
+                            struct wf_beam_outcome *out)
 {
     out->load_factor = load_steps(b, full, last);
     if (out->load_factor >= 1) return true;
@@ -136,6 +136,16 @@ static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struc
     perturb_shape(b);
     out->beyond_limit = true;
     return creep_to_rest(b, last);
+}
+
+/* The same, without small parts by themselves: each step would solve them again, beside its effort. */
+static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last,
+                           struct wf_beam_outcome *out)
+{
+    b->by_steps = true;
+    bool settled = step_then_creep(b, full, last, out);
+    b->by_steps = false;
+    return settled;
 }
 
 /* A small part by itself, the motion of its base given: Newton's method, load steps; where it has no

@@ -55,8 +55,9 @@ struct wf_beam {
     double *off;  /* per element: its part of misfit.bending; NULL: a tree without branches */
     size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
-    bool hasty; /* what follows where Newton's method stalls takes less time than to wait for it */
-    int tries;  /* of small parts by themselves, left in this call of Newton's method */
+    bool by_steps; /* load steps and creep: the small parts wait for the tree */
+    bool hasty;    /* what follows where Newton's method stalls takes less time than to wait for it */
+    int tries;     /* of small parts by themselves, left in this call of Newton's method */
 };
 
 /* The elements that move, from the ground up: how many, and which is the k-th; and does one keep its place?
