@@ -86,7 +86,7 @@ static void print_block(const struct wf_mode_block *b)
     else
         wf_show(stdout, "still air\n");
     if (!b->modes.count) {
-        wf_show(stdout, "  no state of the tree\n");
+        wf_show(stdout, "  no modes (the warning says why)\n");
         return;
     }
     const struct wf_sway *sway = &b->modes.sway;
