@@ -146,10 +146,7 @@ static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near,
     follow.iterations_max = FOLLOW_ITERATIONS;
     wf_beam_carry(near, b);
     b->options = &follow;
-    b->hasty = true;
-    bool rests = wf_beam_rests(b);
-    b->hasty = false;
-    rests = rests || wf_beam_settle_parts(b, newton);
+    bool rests = wf_beam_rests_soon(b, newton);
     b->options = own;
     return rests ? WF_OK : wf_beam_step_to_rest(b, newton, out, e);
 }
@@ -173,9 +170,9 @@ static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads
     if (s || !from) return s ? s : settle_near(b, near, &m->newton, out, e);
     wf_beam_carry(from, b);
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    b->options = &soon, b->hasty = true;
-    bool rests = wf_beam_rests(b);
-    b->options = o, b->hasty = false;
+    b->options = &soon;
+    bool rests = wf_beam_rests_soon(b, NULL);
+    b->options = o;
     if (rests) return WF_OK;
     wf_arena_free(&m->shape), wf_arena_free(&m->newton);
     for (size_t i = 0; i < t->n; i++) pieces[i] = wf_beam_pieces(&from->mesh, i);

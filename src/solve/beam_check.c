@@ -170,20 +170,26 @@ static double load_error(const struct wf_beam *coarse, const struct wf_beam *fin
     return sum;
 }
 
-/* New number of pieces per row. Rows above their share of the error target are refined; none is coarsened,
- * so the carried-over shape is a valid Newton start. off = load error / allowed; above 1 the rows that cause
- * most of it (`bear`) are refined too. */
-static void choose_pieces(const struct wf_beam *b, const double *share, double target, const double *bear,
-                          double off, int32_t *pieces)
+/* By how much shorter pieces have to be for loads whose error is `off` times what is allowed. */
+static double shorter(double off) { return pow(1.5 * off, 0.77); }
+
+/* New number of pieces per row of the mesh `from`, of which none is coarsened, so that the carried-over shape
+ * is a valid Newton start. Rows above their share of the error target are refined (share: on the mesh of
+ * `solved`), and those that cause most of the error of the loads (`bear`) by `more`. Returned: their sum. */
+static double choose_pieces(const struct wf_beam *from, const struct wf_beam *solved, const double *share,
+                            double target, const double *bear, double more, int32_t *pieces)
 {
-    double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
-    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        int32_t now = wf_beam_pieces(&b->mesh, i);
-        double want = pow(share[i] / target, 0.25);
-        if (bear[i] > 0.1 * most) want = fmax(want, more);
-        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), now), 64.0 * now);
+    const size_t n = from->mesh.tree->n;
+    double most = 0, elements = 0;
+    for (size_t i = 0; i < n; i++) most = fmax(most, bear[i]);
+    for (size_t i = 0; i < n; i++) {
+        int32_t now = wf_beam_pieces(&from->mesh, i);
+        double want = wf_beam_pieces(&solved->mesh, i) * pow(share[i] / target, 0.25);
+        if (bear[i] > 0.1 * most) want = fmax(want, now * more);
+        pieces[i] = (int32_t)fmin(fmax(ceil(want), now), 64.0 * now);
+        elements += pieces[i];
     }
+    return elements;
 }
 
 enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, struct wf_beam_check *c,
@@ -233,33 +239,41 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
     const size_t tip = wf_tip_row(t);
     bool turns = tip_lack(coarse, fine, tip) <= 1;
     if (error <= target && reactions <= allowed && turns) return true;
-    choose_pieces(fine, c->share, target / c->depth, c->bear, reactions / allowed, pieces);
+    double off = reactions / allowed, more = off > 1 ? fmax(shorter(off), 2) : 1;
+    (void)choose_pieces(fine, fine, c->share, target / c->depth, c->bear, more, pieces);
     if (!turns) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
     return false;
 }
 
-/* What a mesh lacks of a tolerance: its error and that of the loads on it, of what is allowed. */
-struct lack {
-    double position, loads;
-};
-
 /* Pieces of a mesh that meets a tolerance, from the errors of a solution on one twice as fine as that of b:
- * rows by their own errors or, where that takes fewer elements, all alike. target: error of a row on it. */
-static void choose_again(const struct wf_beam *b, const struct wf_beam *fine, const double *share,
-                         double target, const double *bear, const struct lack *lack, int32_t *pieces)
+ * rows by their own errors or, where that takes fewer elements, all alike. error, reactions: of positions and
+ * loads on the mesh of b, of what is allowed. */
+static void choose_again(const struct wf_beam *b, const struct wf_beam *fine, const struct wf_beam_check *c,
+                         double target, double error, double reactions, int32_t *pieces)
 {
-    double most = 0, elements = 0, more = fmax(lack->loads, 1);
-    double alike = ceil(fmax(pow(lack->position, 0.25), pow(1.5 * more, 0.77)));
-    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        int32_t now = wf_beam_pieces(&b->mesh, i);
-        double want = wf_beam_pieces(&fine->mesh, i) * pow(share[i] / target, 0.25);
-        if (bear[i] > 0.1 * most) want = fmax(want, now * pow(1.5 * more, 0.77));
-        pieces[i] = (int32_t)fmin(fmax(ceil(want), now), 64.0 * now);
-        elements += pieces[i];
-    }
+    double more = shorter(fmax(reactions, 1)), alike = ceil(fmax(pow(error, 0.25), more));
+    double elements = choose_pieces(b, fine, c->share, target / c->depth, c->bear, more, pieces);
     if (elements <= alike * (double)b->mesh.n) return;
     for (size_t i = 0; i < b->mesh.tree->n; i++) pieces[i] = (int32_t)alike * wf_beam_pieces(&b->mesh, i);
+}
+
+/* Does the mesh of b meet a tolerance, and where it does not, which does? fine: a solution on one twice as
+ * fine. */
+static bool meets_beside(const struct wf_beam *b, const struct wf_beam *fine, struct wf_beam_check *c,
+                         double tolerance, int32_t *pieces)
+{
+    wf_beam_row_loads(b, c->before);
+    wf_beam_row_loads(fine, c->load);
+    /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
+    double allowed = allowed_error(fine, tolerance);
+    double error = 16 * beam_mesh_error(b, fine, c->reach, c->share) / allowed;
+    double reactions = pow(2, 1.3) * load_error(b, fine, c->before, c->load, c->bear) / tolerance;
+    const size_t tip = wf_tip_row(b->mesh.tree);
+    double turns = tip_lack(b, fine, tip);
+    choose_again(b, fine, c, allowed, error, reactions, pieces);
+    if (turns > 1) /* to the first order of the piece length at least */
+        pieces[tip] = (int32_t)fmax(pieces[tip], fmin(ceil(2 * turns), 64) * wf_beam_pieces(&b->mesh, tip));
+    return error <= 1 && reactions <= 1 && turns <= 1;
 }
 
 enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, int32_t *pieces,
@@ -268,11 +282,8 @@ enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, boo
     const struct wf_tree *t = b->mesh.tree;
     struct wf_arena work = { 0 };
     struct wf_beam fine;
-    double *reach = WF_TAKE(&work, t->n, double), *share = WF_TAKE(&work, t->n, double),
-           *bear = WF_TAKE(&work, t->n, double), *load = WF_TAKE(&work, 6 * t->n, double);
-    enum wf_status s = reach && share && bear && load
-                           ? WF_OK
-                           : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    struct wf_beam_check check;
+    enum wf_status s = wf_beam_check_make(t, &work, &check, e);
     *meets = false;
     for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * wf_beam_pieces(&b->mesh, i);
     if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
@@ -280,23 +291,7 @@ enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, boo
         wf_beam_carry(b, &fine);
         wf_beam_sweep_up(&fine);
         fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
-        if (wf_beam_step(&fine, NULL)) {
-            tree_reach(t, reach);
-            wf_beam_row_loads(b, load);
-            wf_beam_row_loads(&fine, load + 3 * t->n);
-            /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
-            double error = 16 * beam_mesh_error(b, &fine, reach, share);
-            double reactions = pow(2, 1.3) * load_error(b, &fine, load, load + 3 * t->n, bear);
-            double allowed = allowed_error(&fine, tolerance), depth = longest_row_chain(t, reach);
-            size_t tip = wf_tip_row(t);
-            double turns = tip_lack(b, &fine, tip);
-            *meets = error <= allowed && reactions <= tolerance && turns <= 1;
-            const struct lack lack = { error / allowed, reactions / tolerance };
-            choose_again(b, &fine, share, allowed / depth, bear, &lack, pieces);
-            if (turns > 1) /* to the first order of the piece length at least */
-                pieces[tip] =
-                    (int32_t)fmax(pieces[tip], fmin(ceil(2 * turns), 64) * wf_beam_pieces(&b->mesh, tip));
-        }
+        if (wf_beam_step(&fine, NULL)) *meets = meets_beside(b, &fine, &check, tolerance, pieces);
     }
     wf_arena_free(&work);
     return s;

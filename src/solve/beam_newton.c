@@ -396,18 +396,26 @@ static bool newton_search(struct wf_beam *b)
     return found;
 }
 
+/* The elements of a list as they were before `share` of their last corrections, which are saved. */
+static void set_back(struct wf_beam *b, const int32_t *id, size_t n, double share)
+{
+    for (size_t k = 0; k < n; k++) {
+        double(*v)[3] = b->shape[id[k]].v, (*saved)[6] = b->part.saved[id[k]];
+        memcpy(v, saved[0], sizeof saved[0]);
+        for (int j = 0; j < 2; j++) v3_add(v[j], -share, saved[1] + 3 * j);
+    }
+}
+
 /* A small part by itself by whole steps of Newton's method, of which only the turn of each element is
  * limited: a twig that turns over passes states that are farther from equilibrium. Where it does not converge
- * it is as before. */
+ * it is as before. context: share of the last corrections that was taken back. */
 static bool newton_of_part(struct wf_beam *b, void *context)
 {
     enum { MOST = 16 };
     const double close = 1e-6; /* square of the residual, relative */
     const size_t large = 100;  /* elements */
-    (void)context;
+    const double *share = context;
     if (b->only->n > large) return newton_search(b);
-    for (size_t k = 0; k < b->only->n; k++)
-        memcpy(b->part.saved[b->only->id[k]][1], b->shape[b->only->id[k]].v, sizeof b->part.saved[0][1]);
     wf_beam_sweep_up(b);
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     bool finite = wf_beam_sweep_down(b, true, NULL);
@@ -418,8 +426,7 @@ static bool newton_of_part(struct wf_beam *b, void *context)
         finite = wf_beam_sweep_down(b, true, NULL);
     }
     if (finite && relative(b) <= close) return true;
-    for (size_t k = 0; k < b->only->n; k++)
-        memcpy(b->shape[b->only->id[k]].v, b->part.saved[b->only->id[k]][1], sizeof b->part.saved[0][1]);
+    set_back(b, b->only->id, b->only->n, *share);
     wf_beam_sweep_up(b);
     return false;
 }
@@ -440,10 +447,10 @@ static bool relax_parts(struct wf_beam *b, double least, double few, double shar
         size_t i = (size_t)b->part.id[k];
         double(*saved)[6] = b->part.saved[i];
         memcpy(saved[0], b->shape[i].v, sizeof saved[0]);
-        memcpy(saved[2], b->dv[i], sizeof saved[2]);
-        for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], -share, b->dv[i][j]);
+        memcpy(saved[1], b->dv[i], sizeof saved[1]);
     }
-    b->tries -= wf_beam_each_part(b, parts.n, effort * elements, newton_of_part, NULL) ? 1 : FAILED;
+    set_back(b, b->part.id, parts.n, share);
+    b->tries -= wf_beam_each_part(b, parts.n, effort * elements, newton_of_part, &share) ? 1 : FAILED;
     wf_beam_sweep_up(b);
     return true;
 }
@@ -451,10 +458,10 @@ static bool relax_parts(struct wf_beam *b, double least, double few, double shar
 /* As it was before relax_parts. */
 static void put_back_parts(struct wf_beam *b)
 {
+    set_back(b, b->part.id, b->part.n, 0);
     for (size_t k = 0; k < b->part.n; k++) {
         size_t i = (size_t)b->part.id[k];
-        memcpy(b->shape[i].v, b->part.saved[i][0], sizeof b->shape[i].v);
-        memcpy(b->dv[i], b->part.saved[i][2], sizeof b->dv[i]);
+        memcpy(b->dv[i], b->part.saved[i][1], sizeof b->dv[i]);
     }
     wf_beam_sweep_up(b);
 }

@@ -177,6 +177,14 @@ bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a)
     return false;
 }
 
+bool wf_beam_rests_soon(struct wf_beam *b, struct wf_arena *a)
+{
+    b->hasty = true;
+    bool rests = wf_beam_rests(b);
+    b->hasty = false;
+    return rests || (a && wf_beam_settle_parts(b, a));
+}
+
 enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
                                     struct wf_err *e)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_SETTLE_H
 #define WF_SOLVE_BEAM_SETTLE_H
-/* What to do when Newton's method stalls: fallbacks that reach equilibrium at full load, or report that there is
- * none; they always terminate. */
+/* What to do when Newton's method stalls: fallbacks that reach equilibrium at full load, or report that there
+ * is none; they always terminate. */
 #include "solve/beam_newton.h"
 
 struct wf_beam_outcome {
@@ -26,4 +26,7 @@ enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struc
  * of a twig it may find another than the path of the whole tree does. false: the tree does not come to rest
  * so. */
 bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a);
+/* Newton's method from the shape of a near solution, from which it converges soon or not at all: it is ended
+ * where it stalls; and wf_beam_settle_parts after it. a: NULL, without that. */
+bool wf_beam_rests_soon(struct wf_beam *b, struct wf_arena *a);
 #endif

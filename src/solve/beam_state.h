@@ -11,7 +11,7 @@ struct wf_beam_only {
     int32_t *id;           /* from the ground up */
     bool *held;            /* per element of the mesh: it keeps its place */
     int32_t *root, *place; /* work space, per element */
-    double (*saved)[3][6];
+    double (*saved)[2][6]; /* v and its last correction */
 };
 
 struct wf_beam_links;

@@ -309,12 +309,18 @@ static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, struct
     return s ? s : check_mesh(k, l, e);
 }
 
-/* Newton's method at the loads from the present unknowns, which are lost where it fails. */
-static bool follow(struct wf_track *k, const struct wf_loads *l)
+static void take_loads(struct wf_track *k, const struct wf_loads *l)
 {
     k->beam.loads = *l;
     k->beam.options = &k->follow;
-    return wf_beam_rests(&k->beam);
+}
+
+/* Newton's method at the loads from the present unknowns, which are lost where it fails; or after it what
+ * settles a few twigs. */
+static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct wf_arena *scratch)
+{
+    take_loads(k, l);
+    return wf_beam_rests_soon(&k->beam, scratch);
 }
 
 static void forget_shape(struct wf_track *k)
@@ -323,20 +329,12 @@ static void forget_shape(struct wf_track *k)
     memset(k->beam.tilt, 0, k->tree->n * sizeof *k->beam.tilt);
 }
 
-/* The same, or after it what settles a few twigs. */
-static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct wf_arena *scratch)
-{
-    k->beam.hasty = true;
-    bool follows = follow(k, l);
-    k->beam.hasty = false;
-    return follows || wf_beam_settle_parts(&k->beam, scratch);
-}
-
 /* As the beam solver begins. */
 static bool start_anew(struct wf_track *k, const struct wf_loads *l)
 {
     forget_shape(k);
-    return follow(k, l);
+    take_loads(k, l);
+    return wf_beam_rests(&k->beam);
 }
 
 /* From the last form at the wind speed `from` by smaller steps of the wind speed, each from the one before.
