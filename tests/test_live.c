@@ -24,7 +24,7 @@ static void data_are_text(void **state)
     (void)state;
     static const struct row rows[] = {
         { HOSTILE
-          "grep -c -e 'innerHTML' -e 'document.write' -e 'eval(' reports/live.js; grep -o '<script[^>]*>' "
+          "cat reports/picture.js reports/live.js | grep -c -e 'innerHTML' -e 'document.write' -e 'eval('; grep -o '<script[^>]*>' "
           "$T/out/report.html; grep -o '<option value=.0.>[^/]*/script[^/]*//</option>' $T/out/report.html",
           CODE_OK,
           { "0\n<script type=\"application/json\" id=\"live-data\">\n<script>\n",
@@ -40,7 +40,7 @@ static void data_are_text(void **state)
                   "END\n",
           CODE_OK,
           { "True" } },
-        { "grep -c -e 'innerHTML' -e 'document.write' -e 'eval(' reports/frames.js; $W series oak --model "
+        { "cat reports/picture.js reports/frames.js | grep -c -e 'innerHTML' -e 'document.write' -e 'eval('; $W series oak --model "
           "culm --wind 8 "
           "--duration 2 --step 0.5 --gust cosine --keys 3 --no-vtk --no-pdf -q -o $T/out 2>$T/said; grep -o "
           "'<script[^>]*>' $T/out/series.html; grep -o \"script-src 'sha256-\" $T/out/series.html",

@@ -355,12 +355,12 @@ static void wrong_assets(void **state)
     f->e = (struct wf_err){ 0 };
     snprintf(share, sizeof share, "%s", f->folder.path);
     mkdir(folder_file(&f->folder, "reports"), 0700);
-    static const char *const asset[] = { "reports/report.css", "reports/live.js", "reports/figures.xsl",
-                                         "reports/report.xsl", "reports/strings.xml" };
-    for (size_t i = 0; i < 5; i++) {
+    static const char *const asset[] = { "reports/report.css", "reports/picture.js", "reports/live.js",
+                                         "reports/figures.xsl", "reports/report.xsl", "reports/strings.xml" };
+    for (size_t i = 0; i < 6; i++) {
         FILE *out = fopen(folder_file(&f->folder, asset[i]), "w");
         assert_non_null(out);
-        fputs(i == 4 ? "<strings/>" : i > 1 ? "<no stylesheet" : "", out);
+        fputs(i == 5 ? "<strings/>" : i > 2 ? "<no stylesheet" : "", out);
         fclose(out);
     }
     setenv("WINDFIRM_SHARE", share, 1);

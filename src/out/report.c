@@ -192,16 +192,33 @@ static const char *script_name(const struct wf_bytes *script, struct wf_arena *a
     return text ? wf_arena_print(a, "sha256-%s", text) : NULL;
 }
 
+/* The script of the page: what pictures with a slider share, and its own. */
+static enum wf_status read_script(const struct kind *kind, struct wf_arena *a, struct wf_bytes *out,
+                                  struct wf_err *e)
+{
+    const char *const name[] = { "picture.js", kind->script };
+    struct wf_bytes part[2] = { 0 };
+    enum wf_status code = WF_OK;
+    for (int i = 0; i < 2 && !code; i++) {
+        char path[WF_PATH_MAX];
+        code = wf_report_asset(name[i], path, sizeof path, e);
+        if (!code) code = wf_file_read_text(path, a, &part[i], e);
+    }
+    if (code) return code;
+    char *text = wf_arena_print(a, "%s%s", part[0].data, part[1].data);
+    if (!text) return wf_fail(e, WF_ENOMEM, "no memory for a script");
+    *out = (struct wf_bytes){ text, strlen(text) };
+    return WF_OK;
+}
+
 /* Add the picture with a slider: <live>data</live> and <script name="sha256-...">. Without it the page is
  * whole. */
 static enum wf_status put_live(struct job *j, const char *data, struct wf_arena *scratch)
 {
-    char path[WF_PATH_MAX];
     struct wf_bytes script = { 0 };
     const char *name = NULL;
     xmlNode *root = xmlDocGetRootElement(j->document), *node = NULL;
-    enum wf_status code = wf_report_asset(j->kind->script, path, sizeof path, j->e);
-    if (!code) code = wf_file_read_text(path, scratch, &script, j->e);
+    enum wf_status code = read_script(j->kind, scratch, &script, j->e);
     if (!code && (name = script_name(&script, scratch)))
         node = xmlNewTextChild(root, NULL, BAD_CAST "script", BAD_CAST script.data);
     if (!code && (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name) ||
