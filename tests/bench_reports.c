@@ -1,43 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Speed of pages: HTML of a report, PDF by the page, and the reports of a table of trees. Processor time of
  * the program and of gnuplot and WeasyPrint, which it starts. */
+#include "bench_run.h"
 #include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
-#include <time.h>
-#include <unistd.h>
 
-static char folder[300];
-static const char *program;
-
-struct spent {
-    double wall, processor;
-};
-
-/* Run the rest of a command line; -1: it failed. */
-static struct spent run(const char *rest)
+/* The program with the rest of its command line. */
+static struct spent run_program(const char *rest)
 {
     char command[2200];
-    struct rusage a, b;
-    struct timespec from, to;
     snprintf(command, sizeof command, "%s %s >/dev/null 2>&1", program, rest);
-    getrusage(RUSAGE_CHILDREN, &a);
-    clock_gettime(CLOCK_MONOTONIC, &from);
-    int code = system(command);
-    clock_gettime(CLOCK_MONOTONIC, &to);
-    getrusage(RUSAGE_CHILDREN, &b);
-    if (code) {
-        fprintf(stderr, "failed: %s\n", command);
-        exit(1);
-    }
-    return (struct spent){
-        .wall = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec),
-        .processor = (double)(b.ru_utime.tv_sec - a.ru_utime.tv_sec + b.ru_stime.tv_sec - a.ru_stime.tv_sec) +
-                     1e-6 * (double)(b.ru_utime.tv_usec - a.ru_utime.tv_usec + b.ru_stime.tv_usec -
-                                     a.ru_stime.tv_usec),
-    };
+    return run(command);
 }
 
 /* Pages of all PDFs below the folder. */
@@ -57,7 +30,7 @@ static struct spent best_of(const char *rest, int times)
 {
     struct spent best = { 1e9, 1e9 };
     for (int i = 0; i < times; i++) {
-        struct spent t = run(rest);
+        struct spent t = run_program(rest);
         best.wall = t.wall < best.wall ? t.wall : best.wall;
         best.processor = t.processor < best.processor ? t.processor : best.processor;
     }
@@ -71,7 +44,7 @@ static void one_page(void)
              "analyze oak --model oak_20m --soil mineral --wind 10,15,20 --directions 8 --samples 0 --no-pdf "
              "-o '%s/one'",
              folder);
-    (void)run(rest);
+    (void)run_program(rest);
     snprintf(rest, sizeof rest, "report '%s/one' --no-pdf", folder);
     struct spent t = best_of(rest, 5);
     printf(
@@ -79,7 +52,7 @@ static void one_page(void)
         t.processor, t.wall);
     snprintf(rest, sizeof rest,
              "compare moso_bamboo weeping_willow --model culm --wind 10,15,25 --no-pdf -o '%s/two'", folder);
-    (void)run(rest);
+    (void)run_program(rest);
     snprintf(rest, sizeof rest, "report '%s/two' --no-pdf", folder);
     t = best_of(rest, 5);
     printf("pages: figures and HTML of a comparison: %.2f s of processor time, wall %.2f s (bar 0.35)\n",
@@ -128,7 +101,7 @@ static void table(bool pdf)
              "assess '%s/trees.csv' -o '%s.csv' --reports '%s' --wind 'gust:33 m/s' --soil mineral --samples "
              "0 -q%s",
              folder, below, below, pdf ? "" : " --no-pdf");
-    struct spent t = run(rest);
+    struct spent t = run_program(rest);
     size_t pages = pdf ? count_pages(below) : 0;
     if (!pdf) {
         printf(
@@ -144,18 +117,13 @@ static void table(bool pdf)
 
 int main(void)
 {
-    char command[400];
-    program = getenv("WINDFIRM");
-    if (!program) program = "build/windfirm";
-    snprintf(folder, sizeof folder, "%.150s.%ld.bench", program, (long)getpid());
-    snprintf(command, sizeof command, "mkdir -p '%s'", folder);
-    if (system(command)) return 1;
+    open_folder("bench");
     one_page();
     table(false);
     if (system("command -v weasyprint >/dev/null && command -v pdfinfo >/dev/null"))
         printf("pages: no weasyprint or pdfinfo: PDFs were not measured\n");
     else
         one_pdf(), table(true);
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command) != 0;
+    drop_folder();
+    return 0;
 }

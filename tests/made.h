@@ -33,10 +33,14 @@ static inline void made_read(struct made *m, const char *species, const char *mo
     wf_solve_options_default(&m->options);
 }
 
+static inline enum wf_status made_try(struct made *m, const double *winds, size_t n)
+{
+    return wf_analyze(&m->species, &m->model, &m->scenario, &m->search, wf_solvers[0], &m->options, winds, n,
+                      &m->arena, &m->diag, &m->an, &m->err);
+}
+
 static inline void made_analyse(struct made *m, const double *winds, size_t n)
 {
-    if (wf_analyze(&m->species, &m->model, &m->scenario, &m->search, wf_solvers[0], &m->options, winds, n,
-                   &m->arena, &m->diag, &m->an, &m->err))
-        fail_msg("%s", m->err.text);
+    if (made_try(m, winds, n)) fail_msg("%s", m->err.text);
 }
 #endif

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cables and rods of --cable and --rod: their words, their places on a tree, what they do to it. */
 #include "base/num.h"
-#include "close.h"
-#include "data/species.h"
 #include "grow/card.h"
-#include "load/drag.h"
-#include "study/analysis.h"
+#include "made.h"
 #include "study/brace.h"
 #include "study/guy.h"
 #include "study/removal.h"
@@ -77,38 +74,17 @@ static void wrong_words(void **state)
     }
 }
 
-struct tree_case {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_scenario scenario;
-    struct wf_search search;
-    struct wf_analysis an;
-};
-
-static void begin(struct tree_case *c, const char *model)
+static void begin(struct made *c, const char *model)
 {
-    memset(c, 0, sizeof *c);
-    c->diag.arena = &c->arena;
-    enum wf_status s =
-        wf_species_read("species/oak.yaml", &wf_laws, &c->arena, &c->species, &c->diag, &c->err);
-    if (!s) s = wf_model_read(model, &c->arena, &c->model, &c->diag, &c->err);
-    if (s) fail_msg("%s", c->err.text);
-    wf_scenario_default(&c->scenario);
+    made_read(c, "species/oak.yaml", model);
     c->scenario.peak.method = "mean", c->scenario.profile = "uniform";
-    wf_search_default(&c->search);
     c->search.bare = true;
 }
 
-static enum wf_status analyze(struct tree_case *c, double speed, size_t threads)
+static enum wf_status analyze(struct made *c, double speed, size_t threads)
 {
-    struct wf_solve_options o;
-    wf_solve_options_default(&o);
-    o.threads = threads;
-    return wf_analyze(&c->species, &c->model, &c->scenario, &c->search, wf_solver_named("beam"), &o, &speed,
-                      1, &c->arena, &c->diag, &c->an, &c->err);
+    c->options.threads = threads;
+    return made_try(c, &speed, 1);
 }
 
 static struct wf_brace brace_of(const char *text, bool rod)
@@ -125,7 +101,7 @@ static struct wf_brace brace_of(const char *text, bool rod)
 static void places(void **state)
 {
     (void)state;
-    struct tree_case c, bare;
+    struct made c, bare;
     begin(&bare, "models/broadleaf.yaml");
     assert_int_equal(analyze(&bare, 5, 1), WF_OK);
     begin(&c, "models/broadleaf.yaml");
@@ -165,7 +141,7 @@ static void holds(void **state)
                                         "id:99:id:58:500kN/m", "id:99:id:58:500kN/m:slack 1m" };
     double force = 0, moment = 0;
     for (size_t k = 0; k < WF_COUNT(text); k++) {
-        struct tree_case c[2];
+        struct made c[2];
         const struct wf_brace brace = brace_of(text[k], false);
         int runs = k == 2 ? 2 : 1;
         for (int i = 0; i < runs; i++) {
@@ -211,7 +187,7 @@ static void refusals(void **state)
         { "models/broadleaf.yaml", "3m:id:58:1kN/m", "level:1", "no branch is left without 'level:1'" },
     };
     for (size_t i = 0; i < WF_COUNT(rows); i++) {
-        struct tree_case c;
+        struct made c;
         begin(&c, rows[i].model);
         const struct wf_brace brace = brace_of(rows[i].text, false);
         size_t n;
@@ -222,18 +198,16 @@ static void refusals(void **state)
         if (!strstr(c.err.text, rows[i].said)) fail_msg("%s: %s", rows[i].text, c.err.text);
         wf_arena_free(&c.arena);
     }
-    struct tree_case c;
-    struct wf_solve_options o;
+    struct made c;
     const struct wf_brace brace = brace_of("3m:id:58:1kN/m", true);
     const double speed = 10;
     begin(&c, "models/broadleaf.yaml");
     c.scenario.brace = &brace, c.scenario.braces = 1;
-    wf_solve_options_default(&o);
     for (size_t k = 0; wf_solvers[k]; k++) {
         if (wf_solvers[k]->ties) continue;
         c.err = (struct wf_err){ WF_OK, "" };
-        assert_int_equal(wf_analyze(&c.species, &c.model, &c.scenario, &c.search, wf_solvers[k], &o, &speed,
-                                    1, &c.arena, &c.diag, &c.an, &c.err),
+        assert_int_equal(wf_analyze(&c.species, &c.model, &c.scenario, &c.search, wf_solvers[k], &c.options,
+                                    &speed, 1, &c.arena, &c.diag, &c.an, &c.err),
                          WF_EUSAGE);
         assert_non_null(strstr(c.err.text, "cables and rods have no effect with the solver"));
     }

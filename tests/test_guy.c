@@ -2,10 +2,8 @@
 /* Cables from a tree to the ground: two bars, the work done on them, cables that are slack, the words of
  * --guy, guys of a tree card. */
 #include "beam_cases.h"
-#include "data/species.h"
 #include "grow/card.h"
-#include "load/drag.h"
-#include "study/analysis.h"
+#include "made.h"
 #include "study/guy.h"
 #include "study/verdict.h"
 
@@ -174,25 +172,14 @@ static void words(void **state)
     wf_arena_free(&a);
 }
 
-struct card_case {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_scenario scenario;
-    struct wf_search search;
-    struct wf_analysis an;
-};
-
-static double critical(struct card_case *c)
+static double critical(struct made *c)
 {
     const struct wf_analysis *an = &c->an;
     return wf_verdict_of(an->breaks).loss->critical.speed;
 }
 
 /* An oak in a mean wind of 30 m/s towards +x; with cavities its rows have sections. */
-static void run_card(struct card_case *c, const struct wf_guy *guy, size_t n, bool hollow)
+static void run_card(struct made *c, const struct wf_guy *guy, size_t n, bool hollow)
 {
     static const struct wf_card card = {
         .height = 20, .girth = NAN, .dbh = 0.6, .crown_width = 8, .crown_base = 6
@@ -200,7 +187,6 @@ static void run_card(struct card_case *c, const struct wf_guy *guy, size_t n, bo
     static struct wf_cavity hole = {
         .from = 0, .to = 2.6, .at = 1.3, .wall = 0.12, .facing = NAN, .file = "here"
     };
-    struct wf_solve_options o;
     const double speed = 30;
     memset(c, 0, sizeof *c);
     c->diag.arena = &c->arena;
@@ -213,11 +199,9 @@ static void run_card(struct card_case *c, const struct wf_guy *guy, size_t n, bo
     c->scenario.guy = guy, c->scenario.guys = n;
     wf_search_default(&c->search);
     c->search.bare = true, c->search.speed_max = 150;
-    wf_solve_options_default(&o);
-    if (!s)
-        s = wf_analyze(&c->species, &c->model, &c->scenario, &c->search, wf_solver_named("beam"), &o, &speed,
-                       1, &c->arena, &c->diag, &c->an, &c->err);
+    wf_solve_options_default(&c->options);
     if (s) fail_msg("%s", c->err.text);
+    made_analyse(c, &speed, 1);
 }
 
 /* A guy that is nearly nothing changes nothing, though its row is cut; one that holds takes moment off the
@@ -226,7 +210,7 @@ static void card(void **state)
 {
     (void)state;
     for (int hollow = 0; hollow < 2; hollow++) {
-        struct card_case bare, cut, held;
+        struct made bare, cut, held;
         const struct wf_guy none = { .height = 7.3, .distance = 8, .azimuth = PI, .stiffness = 1 };
         struct wf_guy guy = none;
         run_card(&bare, NULL, 0, hollow);
