@@ -332,6 +332,13 @@ const char *wf_nearest(const char *word, const char *const *known, size_t n)
     return best;
 }
 
+char *wf_text_trim(char *text)
+{
+    text += strspn(text, " ");
+    for (size_t n = strlen(text); n && text[n - 1] == ' ';) text[--n] = '\0';
+    return text;
+}
+
 char *wf_list_item(char **rest)
 {
     char *item = *rest, *comma = item ? strchr(item, ',') : NULL;

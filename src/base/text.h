@@ -64,6 +64,8 @@ int wf_word_is_near(const char *word, size_t distance);
 /* The most similar of n known words; when none is similar enough, the first that begins with the word or that
  * the word begins with (at least three letters); otherwise NULL. */
 const char *wf_nearest(const char *word, const char *const *known, size_t n);
+/* Cut off the blanks (not tabs) around a text, which is written to. */
+char *wf_text_trim(char *text);
 /* Next item of a list with commas, blanks around it cut off; an item may be empty. Given: what is left of the
  * list, which is written to; at the start the whole list. Returned: NULL after the last item. */
 char *wf_list_item(char **rest);

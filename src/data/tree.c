@@ -326,6 +326,13 @@ size_t wf_tip_row(const struct wf_tree *t)
     return tip;
 }
 
+bool wf_tree_branched(const struct wf_tree *t)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] > 0) return true;
+    return false;
+}
+
 size_t wf_top_row(const struct wf_tree *t)
 {
     size_t top = wf_tip_row(t);

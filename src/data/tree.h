@@ -144,6 +144,8 @@ struct wf_breast wf_tree_breast(const struct wf_tree *t);
 size_t wf_tip_row(const struct wf_tree *t);
 /* The row that ends highest of all axes: the crown's top. The stem's where none ends above it. */
 size_t wf_top_row(const struct wf_tree *t);
+/* Are branches drawn? */
+bool wf_tree_branched(const struct wf_tree *t);
 
 /* A part of a tree: the whole tree, the stem (level 0), everything but the stem. */
 enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };

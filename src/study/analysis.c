@@ -23,13 +23,6 @@
 
 /* ---- Set up ---- */
 
-static bool has_branches(const struct wf_tree *t)
-{
-    for (size_t i = 0; i < t->n; i++)
-        if (t->level[i] > 0) return true;
-    return false;
-}
-
 /* Snow and ice, which came after the tree was drawn. */
 static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct wf_err *e)
 {
@@ -61,7 +54,7 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
         "%s: %.4g kg of ice, %.3g mm thick on all axes and both sides of the leaves (917 kg/m3); the "
         "wind finds the axes by twice that thicker, the leaves as they are. %s",
         an->model->name, mass, 1e3 * an->scenario.ice, together);
-    if (!has_branches(&an->tree) && wf_crown_projection(&an->tree, 1) > 0)
+    if (!wf_tree_branched(&an->tree) && wf_crown_projection(&an->tree, 1) > 0)
         wf_diag_warn(
             d, "ice-undrawn",
             "%s: the crown's branches are not drawn, so no ice is on them%s: the mass of ice, the wind's "
@@ -238,8 +231,8 @@ static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
     struct wf_sway_modes *out = WF_TAKE(a, 1, struct wf_sway_modes);
     if (!out || !an->peak->method->sways || !an->peak->sways || an->tree.n > LARGE) return NULL;
     struct wf_solve_options shown = *o;
-    /* nothing is computed from them: frequencies err by less than a tenth of this tolerance. With many rows
-     * those on the first mesh do */
+    /* nothing is computed from them: frequencies err by less than this tolerance, with many rows already on
+     * the first mesh */
     if (o->mesh_tolerance > 0.0)
         shown.mesh_tolerance = an->tree.n < MANY ? fmax(o->mesh_tolerance, 1e-3) : 0.0;
     return wf_sway_modes(an, &shown, 0.0, VECTORS, LOWEST, a, out, &unsaid) ? NULL : out;

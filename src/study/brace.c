@@ -17,13 +17,6 @@ static const char *option_of(bool rod) { return rod ? "--rod" : "--cable"; }
 
 enum { PARTS = 8 };
 
-static char *trim(char *text)
-{
-    text += strspn(text, " ");
-    for (size_t n = strlen(text); n && text[n - 1] == ' ';) text[--n] = '\0';
-    return text;
-}
-
 static enum wf_status read_value(struct wf_units *u, const char *text, const char *what,
                                  enum wf_dimension dimension, const char *unit, double low, double high,
                                  const char *range, double *out, struct wf_err *e)
@@ -78,7 +71,7 @@ static size_t split(char *text, char *part[PARTS])
     while (text && n < PARTS) {
         char *at = text + strspn(text, " "), *next = strchr(strncmp(at, "id:", 3) ? at : at + 3, ':');
         if (next) *next++ = '\0';
-        part[n++] = trim(text);
+        part[n++] = wf_text_trim(text);
         text = next;
     }
     return text ? 0 : n;
@@ -191,8 +184,7 @@ static void follow_cut(int32_t *row, int32_t cut) { *row += *row >= cut; }
 enum wf_status wf_braces_onto(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_scenario *sc = &an->scenario;
-    bool branched = false;
-    for (size_t i = 0; i < an->tree.n && !branched; i++) branched = an->tree.level[i] > 0;
+    const bool branched = wf_tree_branched(&an->tree);
     if (!sc->braces) return WF_OK;
     if (!branched && sc->removed)
         return wf_fail(e, WF_EINPUT, "%s: %s: no branch is left without '%.80s' that it could be fixed to",

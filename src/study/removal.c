@@ -14,8 +14,7 @@
 static enum wf_status read_part(char *text, struct wf_removed_part *out, struct wf_err *e)
 {
     char *end = text;
-    text += strspn(text, " ");
-    for (size_t n = strlen(text); n && text[n - 1] == ' ';) text[--n] = '\0';
+    text = wf_text_trim(text);
     *out = (struct wf_removed_part){ .level = text };
     if (!strncmp(text, "level:", 6)) out->level = text + 6;
     if (strncmp(text, "id:", 3))

@@ -82,13 +82,6 @@ static double breadth_of(const struct wf_analysis *an, const double *load)
     return sum > 0.0 ? sqrt(12.0 * fmax(0.0, second / sum - first * first / (sum * sum))) : 0.0;
 }
 
-static bool has_branches(const struct wf_tree *t)
-{
-    for (size_t i = 0; i < t->n; i++)
-        if (t->level[i] > 0) return true;
-    return false;
-}
-
 /* The sway about a state in the mean wind. */
 static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_speed *at,
                               const struct wf_modes_sway *m, const double *shape)
@@ -292,7 +285,7 @@ static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct w
     if (r->exponent_by_law) p->law = an->loads.streamline, p->law_par = an->loads.streamline_par;
     if (method->sways) {
         p->profile = profile_at(an, p->rule->at(p->tree.terrain, p->tree.height));
-        p->branches = has_branches(&an->tree);
+        p->branches = wf_tree_branched(&an->tree);
     }
     return WF_OK;
 }
