@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/analyze_request.h"
 #include "base/num.h"
+#include "cmd/scenarios.h"
 #include "study/brace.h"
 #include "study/guy.h"
-#include "study/removal.h"
 #include "wind/climate.h"
 #include "wind/design.h"
 #include "wind/terrain.h"
@@ -31,16 +31,6 @@ static bool guy_unused(const void *options, const struct wf_option *row, char *w
     const struct wf_solver *s = solver_used(options);
     (void)row;
     return s && wf_option_unused(!s->ties, why, "with the solver '%s'", s->name);
-}
-
-static bool remove_unused(const void *options, const struct wf_option *row, char *why)
-{
-    const struct wf_analyze_options *o = options;
-    const struct wf_solver *s = solver_used(options);
-    (void)row;
-    if (s && !s->tracked)
-        return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
-    return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
 }
 
 static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
@@ -155,11 +145,23 @@ const struct wf_option wf_analyze_options[] = {
           .unused = guy_unused),
     TEXTS("--rod", rods, "FROM:TO:STIFFNESS[:PRETENSION][:breaks FORCE]",
           "a rod, which also pushes; whether it buckles is not assessed", .unused = guy_unused),
+    TEXTS("--scenarios", scenarios, "KEY=VALUE[+KEY=VALUE],...",
+          "beside the tree as it stands: such trees, each by keys of a tree, its wind and its site: "
+          "cable=id:99:id:58:200kN/m, remove=level:1+cable=..., season=leaf_off, snow=20cm, "
+          "root_loss=40%, terrain=II (the neighbours felled)",
+          .unused = wf_scenario_unused),
     TEXTS("--remove", remove, "PART[+PART],...",
-          "beside the tree as it stands: without a level of branches (level:2, or its name) or the segment "
-          "with "
-          "an id and all that it carries (id:14)",
-          .unused = remove_unused),
+          "short for scenarios remove=PART+PART: without a level of branches (level:2, or its name) or the "
+          "segment with an id and all that it carries (id:14)",
+          .unused = wf_scenario_unused),
+    FLAG("--leaf-off", leaf_off, "beside the tree as it stands: when the leaves have fallen",
+         .unused = wf_scenario_unused),
+    NUMBER("--cavity-growth", cavity_growth, "LENGTH", LENGTH, "mm", 0, 1000, NULL,
+           "the same with so much off the walls of the cavities", .unused = wf_scenario_unused),
+    TEXT("--root-loss", root_loss, "SHARE|FROM:TO[:SHARE]", NULL,
+         "the same with a share of the roots lost, all around (40%) or in a sector clockwise from north "
+         "(30deg:120deg or 30deg:120deg:60%): a rule of ours",
+         .wrong = wf_scenario_roots_wrong, .unused = wf_scenario_unused),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     FLAG("--unions", unions,
@@ -315,9 +317,6 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
     if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
-    out->removed = NULL, out->removals = 0;
-    if (o->remove && (status = wf_removals_read(o->remove, a, &out->removed, &out->removals, e)))
-        return status;
     if (o->guys && (status = wf_guys_read(o->guys, o->north, a, &s->guy, &s->guys, e))) return status;
     if ((status = read_braces(o, a, s, e))) return status;
     s->winds_said = o->args.winds_said;

@@ -29,7 +29,7 @@ static const struct {
     { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
             "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "guys braces record removals union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+    { LIST, "guys braces record removals scenarios holds union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
@@ -67,7 +67,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
-      "distance towards stiffness pretension pull slack breaking "
+      "distance towards stiffness pretension pull pull_critical slack breaking branch_safety "
       "unions above branch branch_diameter above_diameter below_diameter "
       "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "

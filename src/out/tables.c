@@ -2,6 +2,7 @@
 #include "out/tables.h"
 #include "base/num.h"
 #include "data/species.h"
+#include "out/beside_part.h"
 #include "out/folder.h"
 #include "study/directions.h"
 #include "study/peak.h"
@@ -315,6 +316,10 @@ const struct wf_table wf_tables[] = {
       write_directions, directions_made },
     { "tables/unions.csv", "unions of branches and forks, the largest aspect ratio first", write_unions,
       unions_made },
+    { "tables/scenarios.csv", "the tree as it stands and with something changed, in the strongest given wind",
+      wf_besides_write, wf_besides_made },
+    { "tables/scenario_forces.csv", "forces of cables, rods and guys in the scenarios", wf_holds_write,
+      wf_holds_made },
     { NULL, NULL, NULL, NULL },
 };
 

@@ -48,5 +48,5 @@ struct wf_table {
     bool (*made)(const struct wf_run *run); /* does the run have it; NULL: always */
 };
 extern const struct wf_table wf_tables[]; /* ends at name == NULL */
-enum { WF_TABLES = 6 };
+enum { WF_TABLES = 8 };
 #endif
