@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/analyze_request.h"
 #include "base/num.h"
-#include "cmd/scenarios.h"
 #include "study/brace.h"
 #include "study/guy.h"
 #include "wind/climate.h"
@@ -31,6 +30,30 @@ static bool guy_unused(const void *options, const struct wf_option *row, char *w
     const struct wf_solver *s = solver_used(options);
     (void)row;
     return s && wf_option_unused(!s->ties, why, "with the solver '%s'", s->name);
+}
+
+static bool beside_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_analyze_options *o = options;
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    const struct wf_solver *s = p && p->solver ? wf_solver_named(p->solver) : wf_solver_named(o->solver);
+    (void)row;
+    if (strcmp(o->preset, wf_presets[0].name) != 0)
+        return wf_option_unused(true, why, "with the preset '%s', which repeats a publication", o->preset);
+    if (s && !s->tracked)
+        return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
+    return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
+}
+
+static bool roots_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const char *text = ((const struct wf_analyze_options *)options)->root_loss;
+    struct wf_anchorage_request q;
+    (void)row;
+    return wf_option_unused(!wf_root_loss_read(text, &q), why,
+                            "'%.60s' is no loss of roots: a share up to 95%% all around, 40%%, or a sector "
+                            "clockwise from north with or without a share, 30deg:120deg:60%%",
+                            text);
 }
 
 static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
@@ -149,19 +172,19 @@ const struct wf_option wf_analyze_options[] = {
           "beside the tree as it stands: such trees, each by keys of a tree, its wind and its site: "
           "cable=id:99:id:58:200kN/m, remove=level:1+cable=..., season=leaf_off, snow=20cm, "
           "root_loss=40%, terrain=II (the neighbours felled)",
-          .unused = wf_scenario_unused),
+          .unused = beside_unused),
     TEXTS("--remove", remove, "PART[+PART],...",
           "short for scenarios remove=PART+PART: without a level of branches (level:2, or its name) or the "
           "segment with an id and all that it carries (id:14)",
-          .unused = wf_scenario_unused),
+          .unused = beside_unused),
     FLAG("--leaf-off", leaf_off, "beside the tree as it stands: when the leaves have fallen",
-         .unused = wf_scenario_unused),
+         .unused = beside_unused),
     NUMBER("--cavity-growth", cavity_growth, "LENGTH", LENGTH, "mm", 0, 1000, NULL,
-           "the same with so much off the walls of the cavities", .unused = wf_scenario_unused),
+           "the same with so much off the walls of the cavities", .unused = beside_unused),
     TEXT("--root-loss", root_loss, "SHARE|FROM:TO[:SHARE]", NULL,
          "the same with a share of the roots lost, all around (40%) or in a sector clockwise from north "
          "(30deg:120deg or 30deg:120deg:60%): a rule of ours",
-         .wrong = wf_scenario_roots_wrong, .unused = wf_scenario_unused),
+         .wrong = roots_wrong, .unused = beside_unused),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     FLAG("--unions", unions,

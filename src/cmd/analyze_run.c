@@ -3,7 +3,6 @@
 #include "base/interrupt.h"
 #include "base/num.h"
 #include "base/progress.h"
-#include "cmd/analyze_beside.h"
 #include "cmd/analyze_print.h"
 #include "cmd/scan_models.h"
 #include "data/species.h"
@@ -95,7 +94,9 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
     if (asked && !worst) worst = asked;
     next = (struct wf_err){ 0 };
     found = d.errors;
-    enum wf_status beside = w->hooks || worst ? WF_OK : wf_analyze_beside_read(w, &d, &next);
+    enum wf_status beside =
+        w->hooks || worst ? WF_OK
+                          : wf_analyze_list_read(&w->options, &w->model, &w->arena, &d, &w->scenarios, &next);
     if (beside && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (beside) worst = beside;
     next = (struct wf_err){ 0 };
@@ -198,7 +199,7 @@ static enum wf_status analyse(struct wf_analyze_work *w, size_t *done, struct wf
         w->diag[k].arena = &w->arena;
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
-        if (wf_analyze_beside_check(w, &w->species[k], e)) return e->code;
+        if (wf_analyze_list_check(&w->scenarios, &w->species[k], e)) return e->code;
         w->request.search.solved = speeds_solved, w->request.search.context = w;
         wf_stage_item(k + 1, w->options.args.n);
         enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
@@ -206,7 +207,7 @@ static enum wf_status analyse(struct wf_analyze_work *w, size_t *done, struct wf
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
         if (!s) s = run_burdens(w, &w->analysis[k], e);
-        if (!s) s = wf_analyze_beside_run(w, &w->analysis[k], e);
+        if (!s) s = wf_analyze_list_run(&w->scenarios, &w->arena, &w->analysis[k], e);
         if (!s && preset == wf_presets) /* others repeat a publication as printed */
             s = wf_interval_take(&w->analysis[k], &w->request.solve, &w->request.interval,
                                  WF_GIVEN(&w->options, samples), &w->arena, e);

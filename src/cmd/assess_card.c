@@ -176,7 +176,8 @@ static bool remove_unused(const void *options, const struct wf_option *row, char
 {
     const struct wf_assess_options *o = options;
     if (o->run.args.n > 0) return change_unused(options, row, why);
-    return wf_option_unused(!o->from, why, "with a card, which draws the stem alone: reduce and thin change its crown");
+    return wf_option_unused(!o->from, why,
+                            "with a card, which draws the stem alone: reduce and thin change its crown");
 }
 
 static bool reports_unused(const void *options, const struct wf_option *row, char *why)
@@ -316,7 +317,8 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     beside.crown.leafless = NAN; /* of a tree in leaf it is that of its scenarios without leaves */
     if ((s = wf_tree_asked_onto(&beside, false, a, out, d, e))) return s;
     out->silhouette.leafless = o->run.tree.crown.leafless;
-    if (!isnan(out->silhouette.leafless) && out->season == WF_LEAF_ON && !o->run.leaf_off && !o->run.scenarios)
+    if (!isnan(out->silhouette.leafless) && out->season == WF_LEAF_ON && !o->run.leaf_off &&
+        !o->run.scenarios)
         wf_diag_warn(d, "leaf-off-share", "%s: leaf_off_share has no effect on a tree in leaf", out->name);
     return WF_OK;
 }
@@ -388,7 +390,7 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
                                    struct wf_err *e)
 {
     bool card = !c->options.scan && !c->fit;
-    enum wf_status s = c->fit  ? wf_assess_fit_model(c->fit, &c->options.run, a, &c->model, d, e)
+    enum wf_status s = c->fit ? wf_assess_fit_model(c->fit, &c->options.run, a, &c->model, d, e)
                        : card ? wf_assess_model(&c->options, c->species, a, &c->model, d, e)
                               : read_scan(&c->options, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
@@ -401,7 +403,9 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
     if (!s && c->fit) s = wf_assess_fit_onto(c->fit, &c->options.run, a, &c->request, e);
     if (!s && card) s = change_crown(c, a, e);
     double grown = card ? c->options.height : c->fit ? c->grown : (double)NAN;
-    return s ? s : wf_scenario_onto(&c->options.run, c->whole ? c->whole : &c->model, grown, a, &c->request, &c->model, e);
+    return s ? s
+             : wf_scenario_onto(&c->options.run, c->whole ? c->whole : &c->model, grown, a, &c->request,
+                                &c->model, e);
 }
 
 enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,

@@ -11,10 +11,10 @@ struct wf_assess_options {
     struct wf_analyze_options run; /* comes first: its rows are taken as they are */
     const char *name, *species;    /* NULL: not given */
     double height, girth, dbh, crown_base;
-    double lean, lean_towards;  /* [rad], clockwise from north; NAN: not given */
-    double required;            /* safety [-] */
-    const char *reduce;         /* "20 %" or "3 m"; NULL: not given */
-    double thin;                /* [-]; NAN: not given */
+    double lean, lean_towards;    /* [rad], clockwise from north; NAN: not given */
+    double required;              /* safety [-] */
+    const char *reduce;           /* "20 %" or "3 m"; NULL: not given */
+    double thin;                  /* [-]; NAN: not given */
     const char *from;             /* NULL: none */
     const char *reports;          /* folder, of a table; NULL: none */
     const char *scans;            /* folder of the files that a table names; NULL: that of the table */
@@ -42,9 +42,10 @@ struct wf_assess_often wf_assess_often_of(const struct wf_assess_options *o);
 struct wf_assess_case {
     struct wf_assess_options options;
     const struct wf_species *species;
-    const struct wf_assess_fit *fit; /* the tree is that of a fit, with its species' fitted values; NULL: none */
-    const struct wf_model *whole;    /* the tree as it stands; NULL: that of this case */
-    double grown;                    /* of a fit: its height [m] */
+    const struct wf_assess_fit
+        *fit;                     /* the tree is that of a fit, with its species' fitted values; NULL: none */
+    const struct wf_model *whole; /* the tree as it stands; NULL: that of this case */
+    double grown;                 /* of a fit: its height [m] */
     struct wf_model model;
     struct wf_analyze_request request;
     double cut; /* share of the crown's frontal area that the changes take [-] */

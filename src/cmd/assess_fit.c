@@ -203,7 +203,8 @@ enum wf_status wf_assess_fit_read(const char *folder, struct wf_arena *a, struct
 /* ---- The tree ---- */
 
 enum wf_status wf_assess_fit_model(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
-                                   struct wf_arena *a, struct wf_model *out, struct wf_diag *d, struct wf_err *e)
+                                   struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                                   struct wf_err *e)
 {
     enum wf_status s = wf_model_read(f->model, a, out, d, e);
     return s ? s : wf_tree_asked_onto(&o->tree, false, a, out, d, e);

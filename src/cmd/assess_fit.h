@@ -37,8 +37,10 @@ enum wf_status wf_assess_fit_read(const char *folder, struct wf_arena *a, struct
 
 /* Its tree, with what the options say beside it. Errors: mistakes in `d`; any other error is in `e`. */
 enum wf_status wf_assess_fit_model(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
-                                   struct wf_arena *a, struct wf_model *out, struct wf_diag *d, struct wf_err *e);
-/* Its root onto a request, as its spring and, unless the options name an anchorage, as what that is found by. */
+                                   struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                                   struct wf_err *e);
+/* Its root onto a request, as its spring and, unless the options name an anchorage, as what that is found by.
+ */
 enum wf_status wf_assess_fit_onto(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
                                   struct wf_arena *a, struct wf_analyze_request *q, struct wf_err *e);
 

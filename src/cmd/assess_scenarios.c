@@ -12,8 +12,7 @@ static enum wf_status read_case(const struct wf_assess_options *o, const struct 
                                 struct wf_assess_case *out, struct wf_err *e)
 {
     out->options = *o;
-    enum wf_status s =
-        wf_scenario_options(&o->run.args, "assess", x, units, a, d, &out->options.run.args, e);
+    enum wf_status s = wf_scenario_options(&o->run.args, "assess", x, units, a, d, &out->options.run.args, e);
     out->options.run.samples = 0;
     return s;
 }
@@ -49,7 +48,9 @@ static enum wf_status take_result(const struct wf_assess_case *c, struct wf_aren
     const char *name = out->name;
     struct wf_assess_direction *around = WF_TAKE(a, WF_ASSESS_DIRECTIONS, struct wf_assess_direction);
     if (!around) return wf_fail(e, WF_ENOMEM, "not enough memory for a scenario");
-    enum wf_status s = wf_beside_take(&c->an, a, out, e);
+    struct wf_analysis an = c->an;
+    an.assessment = &c->x;
+    enum wf_status s = wf_beside_take(&an, a, out, e);
     memcpy(around, c->around, sizeof c->around);
     out->name = name;
     out->assessed = true;

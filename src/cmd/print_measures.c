@@ -24,10 +24,15 @@ static void print_hold(FILE *to, const struct wf_beside_hold *h)
     else {
         print_force(to, h->force);
         wf_show(to, " at most, in %.4g m/s", h->speed);
+        if (isfinite(h->wind_from))
+            wf_show(to, " from %.0f deg", fmod(round(degrees(h->wind_from)) + 360, 360));
     }
     if (isfinite(h->critical)) wf_show(to, ", ");
-    if (isfinite(h->critical)) print_force(to, h->critical);
-    if (isfinite(h->critical)) wf_show(to, " in the critical wind");
+    if (!(fabs(h->critical) > 0) && isfinite(h->critical)) wf_show(to, "slack");
+    if (fabs(h->critical) > 0) print_force(to, h->critical);
+    if (isfinite(h->critical))
+        wf_show(to, isfinite(h->wind_from) ? " in the critical wind of the weakest direction"
+                                           : " in the critical wind");
     if (isfinite(h->safety)) wf_show(to, "; it breaks at %.4g kN: safety %.3g", h->breaking / 1e3, h->safety);
     wf_show(to, "\n");
 }
@@ -96,11 +101,13 @@ void wf_print_beside_holds(FILE *to, size_t n, const struct wf_beside *x)
 {
     size_t holds = 0;
     for (size_t k = 0; k < n; k++) holds += x[k].holds;
-    if (holds) wf_show(to, "  static forces of what holds it; how ends, anchors and fittings hold is not assessed\n");
+    if (holds)
+        wf_show(to,
+                "  static forces of what holds it; how ends, anchors and fittings hold is not assessed\n");
     for (size_t k = 0; k < n; k++)
         for (size_t i = 0; i < x[k].holds; i++) {
             const struct wf_beside_hold *h = &x[k].hold[i];
-            wf_show(to, "    %s\n", x[k].name ? x[k].name : "as it stands");
+            if (!i) wf_show(to, "    %s\n", x[k].name ? x[k].name : "as it stands");
             wf_show(to, "      %s %s:%s: ", h->kind, h->from, h->to);
             print_hold(to, h);
         }
@@ -125,7 +132,8 @@ void wf_print_beside(FILE *to, const struct wf_analysis *an)
         wf_show(to, "  !: more than %.0f %% of the crown: a loss that harms the tree\n",
                 100 * WF_ASSESS_CUT_FLAGGED);
     if (listed)
-        wf_show(to, "  'branches': the least safety of those from %.3g cm on\n", 100 * an->search.branches_from);
+        wf_show(to, "  'branches': the least safety of those from %.3g cm on\n",
+                100 * an->search.branches_from);
     wf_show(
         to,
         "  '-': none found. What is left keeps its shape; the wound, new sprouts and more wind on what was "

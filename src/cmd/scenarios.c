@@ -29,100 +29,52 @@ bool wf_scenario_changes(const struct wf_option *row)
 static bool is_of_run(const struct wf_option *row)
 {
     static const char *const list[] = {
-        "--card",      "--species",   "--height",         "--girth",          "--dbh",           "--output",
-        "--model",     "--tree",      "--joint",          "--rest",           "--scanned",       "--strict",
-        "--unload",    "--solver",    "--preset",         "--shelter",        "--branches-from", "--unions",
-        "--corridor",  "--threads",   "--tip-angle-limit", "--directions",    "--climate",       "--north",
-        "--dem",       "--at",        "--search-to",      "--search-time",    "--samples",       "--seed",
-        "--reports",   "--scans",     "--mesh-tolerance", "--corridor-towards", "--from",        "--extremes",
-        "--life",      "--scenarios", "--quiet",          "--weight-stress",  "--required-safety",
+        "--card",
+        "--species",
+        "--output",
+        "--model",
+        "--tree",
+        "--joint",
+        "--rest",
+        "--scanned",
+        "--strict",
+        "--unload",
+        "--solver",
+        "--preset",
+        "--shelter",
+        "--branches-from",
+        "--unions",
+        "--corridor",
+        "--threads",
+        "--tip-angle-limit",
+        "--directions",
+        "--climate",
+        "--north",
+        "--dem",
+        "--at",
+        "--search-to",
+        "--search-time",
+        "--samples",
+        "--seed",
+        "--reports",
+        "--scans",
+        "--mesh-tolerance",
+        "--corridor-towards",
+        "--from",
+        "--extremes",
+        "--life",
+        "--scenarios",
+        "--quiet",
+        "--weight-stress",
+        "--required-safety",
     };
 #define OF_GROUP(group)                                                                                      \
     (row->member >= offsetof(struct wf_analyze_options, group) &&                                            \
-     row->member < offsetof(struct wf_analyze_options, group) +                                              \
-                       sizeof(((struct wf_analyze_options *)NULL)->group))
+     row->member <                                                                                           \
+         offsetof(struct wf_analyze_options, group) + sizeof(((struct wf_analyze_options *)NULL)->group))
     bool group = OF_GROUP(job) || OF_GROUP(pages) || OF_GROUP(tree.scan);
 #undef OF_GROUP
     return group || row->kind == WF_OPTION_STUDY || is_among(row->name, list, WF_COUNT(list));
-}
-
-bool wf_scenario_unused(const void *options, const struct wf_option *row, char *why)
-{
-    const struct wf_analyze_options *o = options;
-    const struct wf_preset *p = wf_preset_named(o->preset);
-    const struct wf_solver *s = p && p->solver ? wf_solver_named(p->solver) : wf_solver_named(o->solver);
-    (void)row;
-    if (strcmp(o->preset, wf_presets[0].name) != 0)
-        return wf_option_unused(true, why, "with the preset '%s', which repeats a publication", o->preset);
-    if (s && !s->tracked)
-        return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
-    return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
-}
-
-/* ---- Roots ---- */
-
-/* A number with one of two units; without one it is of the second where that is NULL. */
-static bool read_part(const char *text, const char *unit, double factor, double *out)
-{
-    const char *end = wf_number_read(text, text + strlen(text), '.', out);
-    if (!end) return false;
-    end += strspn(end, " ");
-    if (!*end) return true;
-    *out *= factor;
-    return !strcmp(end, unit);
-}
-
-/* "from=30,to=120,share=60%", as a table of a card arrives, as "30:120:60%". */
-static void join_table(char *text)
-{
-    static const char *const key[] = { "from=", ",to=", ",share=" };
-    for (size_t k = 0; k < WF_COUNT(key); k++) {
-        char *at = strstr(text, key[k]);
-        if (!at || (k == 0 && at != text)) break;
-        if (k) *at++ = ':';
-        const char *rest = at + strlen(key[k]) - (k > 0);
-        memmove(at, rest, strlen(rest) + 1);
-    }
-}
-
-/* "40 %" all around, "30deg:120deg" or "30deg:120deg:40 %", clockwise from north. Returned: whether it is one
- * of them; in *q the loss, its sector as on a compass: middle and half the width [rad]. */
-static bool read_root_loss(const char *text, struct wf_anchorage_request *q)
-{
-    char copy[80], *part[3] = { copy };
-    const double degree = WF_PI / 180;
-    double from, to;
-    size_t n = 1;
-    if (!text) return true;
-    if (strlen(text) >= sizeof copy) return false;
-    memcpy(copy, text, strlen(text) + 1);
-    join_table(copy);
-    for (char *p = copy; (p = strchr(p, ':')); part[n++] = p) {
-        if (n == WF_COUNT(part)) return false;
-        *p++ = '\0';
-        p += strspn(p, " ");
-    }
-    q->lost = 1, q->lost_half = WF_PI;
-    if (n != 2 && !read_part(part[n - 1], "%", 0.01, &q->lost)) return false;
-    if (n > 1) {
-        if (!read_part(part[0], "deg", 1, &from) || !read_part(part[1], "deg", 1, &to)) return false;
-        if (!(fabs(from) <= 360 && fabs(to) <= 360)) return false;
-        double width = to - from > 0 ? to - from : to - from + 360;
-        if (from == to || !(width > 0 && width <= 360)) return false;
-        q->lost_half = 0.5 * width * degree, q->lost_middle = (from + 0.5 * width) * degree;
-    }
-    return q->lost > 0 && q->lost <= (n > 1 ? 1 : 0.95);
-}
-
-bool wf_scenario_roots_wrong(const void *options, const struct wf_option *row, char *why)
-{
-    const char *text = ((const struct wf_analyze_options *)options)->root_loss;
-    struct wf_anchorage_request q;
-    (void)row;
-    return wf_option_unused(!read_root_loss(text, &q), why,
-                            "'%.60s' is no loss of roots: a share up to 95%% all around, 40%%, or a sector "
-                            "clockwise from north with or without a share, 30deg:120deg:60%%",
-                            text);
 }
 
 /* ---- Reading ---- */
@@ -160,7 +112,8 @@ static const char *add_change(const struct wf_option *rows, char *text, struct w
         return wf_arena_print(a, "'%.40s' has no value; it is written %s=VALUE", text, text);
     for (size_t k = 0; k < out->n; k++)
         if (out->option[k] == row)
-            return wf_arena_print(a, "'%.40s' is there twice; several cables stand in one, apart by ';'", text);
+            return wf_arena_print(a, "'%.40s' is there twice; several cables stand in one, apart by ';'",
+                                  text);
     if (out->n == WF_SCENARIO_CHANGES) return "more than 12 changes";
     out->option[out->n] = row;
     out->cell[out->n++] = value ? value + strspn(value, " ") : "yes";
@@ -193,10 +146,9 @@ static enum wf_status add_removals(const struct wf_analyze_options *o, struct wf
     for (char *item; rest && !s && (item = wf_list_item(&rest));) {
         size_t before = out->n;
         char *text = wf_arena_print(a, "remove=%s", item);
-        const char *name = wf_arena_text(a, item);
-        if (!text || !name) return wf_fail(e, WF_ENOMEM, "not enough memory for a removal");
+        if (!text) return wf_fail(e, WF_ENOMEM, "not enough memory for a removal");
         s = add_item(o, text, a, d, out, e);
-        if (!s && out->n > before) out->item[before].name = name, out->item[before].removal = true;
+        if (!s && out->n > before) out->item[before].removal = true;
     }
     return s;
 }
@@ -227,8 +179,9 @@ enum wf_status wf_scenarios_split(const struct wf_analyze_options *o, struct wf_
 }
 
 enum wf_status wf_scenario_options(const struct wf_args *line, const char *command,
-                                   const struct wf_scenario_words *x, struct wf_units *units, struct wf_arena *a,
-                                   struct wf_diag *d, struct wf_args *out, struct wf_err *e)
+                                   const struct wf_scenario_words *x, struct wf_units *units,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_args *out,
+                                   struct wf_err *e)
 {
     struct wf_args *beside = WF_TAKE(a, 1, struct wf_args);
     struct wf_sink sink;
@@ -261,23 +214,21 @@ static enum wf_status lose_roots(const struct wf_analyze_options *o, double grow
 {
     struct wf_anchorage_request *roots = WF_TAKE(a, 1, struct wf_anchorage_request);
     const struct wf_anchorage_request *said = q->scenario.anchorage;
-    if (!said && o->root_loss)
-        return wf_fail(e, WF_EUSAGE, "root_loss has no effect: nothing says what the roots hold (soil, pull_moment)");
     if (!said) return WF_OK;
     if (!roots) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
     *roots = *said;
     if (!(roots->grown > 0)) roots->grown = grown;
     if (o->root_loss) {
-        (void)read_root_loss(o->root_loss, roots);
+        (void)wf_root_loss_read(o->root_loss, roots);
         roots->lost_middle = wf_wind_azimuth(roots->lost_middle + WF_PI, q->directions.north);
     }
     q->scenario.anchorage = roots;
     return WF_OK;
 }
 
-enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, const struct wf_model *whole, double grown,
-                                struct wf_arena *a, struct wf_analyze_request *q, struct wf_model *m,
-                                struct wf_err *e)
+enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, const struct wf_model *whole,
+                                double grown, struct wf_arena *a, struct wf_analyze_request *q,
+                                struct wf_model *m, struct wf_err *e)
 {
     const struct wf_card_change walls = { .thin = NAN, .cavity_growth = o->cavity_growth };
     enum wf_status s = WF_OK;

@@ -5,26 +5,9 @@
 #include "study/brace.h"
 #include "study/guy.h"
 #include <math.h>
+#include <string.h>
 
 /* ---- What holds a tree ---- */
-
-json_t *wf_part_guys(struct wf_doc *d, const struct wf_analysis *a)
-{
-    json_t *list = wf_doc_array(d);
-    const struct wf_at_speed *at = &a->at[a->n - 1];
-    for (size_t k = 0; k < a->scenario.guys; k++) {
-        const struct wf_guy *g = &a->scenario.guy[k];
-        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_quantity(d, o, "height", g->height, "m", NULL);
-        wf_doc_quantity(d, o, "distance", g->distance, "m", NULL);
-        wf_doc_quantity(d, o, "towards", g->towards, "rad", NULL);
-        wf_doc_quantity(d, o, "stiffness", g->stiffness, "N/m", NULL);
-        wf_doc_quantity(d, o, "pretension", g->pretension, "N", NULL);
-        wf_doc_quantity(d, o, "pull", at->status ? (double)NAN : at->tie[k], "N", "no equilibrium");
-        wf_doc_quantity(d, o, "pull_critical", a->held.tie[k], "N", "no critical wind was found, or the time was used up");
-    }
-    return list;
-}
 
 /* What holds a tree, with its forces. */
 static json_t *hold_part(struct wf_doc *d, const struct wf_beside_hold *h)
@@ -35,31 +18,43 @@ static json_t *hold_part(struct wf_doc *d, const struct wf_beside_hold *h)
     wf_doc_text(d, o, "to_point", h->to);
     wf_doc_quantity(d, o, "pull", h->force, "N", "no equilibrium");
     wf_doc_quantity(d, o, "speed", h->speed, "m/s", "no equilibrium");
-    wf_doc_quantity(d, o, "pull_critical", h->critical, "N", "no critical wind was found, or the time was used up");
+    if (isfinite(h->wind_from)) wf_doc_quantity(d, o, "from", h->wind_from, "rad", NULL);
+    wf_doc_quantity(d, o, "pull_critical", h->critical, "N",
+                    "no critical wind was found, or the time was used up");
     wf_doc_quantity(d, o, "breaking", h->breaking, "N", "not given");
     wf_doc_quantity(d, o, "safety", h->safety, "1",
                     "not assessed: no breaking load is given, or it does not pull");
     return o;
 }
 
-json_t *wf_part_braces(struct wf_doc *d, const struct wf_analysis *a)
+/* Those of a tree: its guys, or its braces. */
+static json_t *holds_part(struct wf_doc *d, const struct wf_analysis *a, bool guys)
 {
     json_t *list = wf_doc_array(d);
     struct wf_arena scratch = { 0 };
     struct wf_err unsaid = { WF_OK, "" };
     const struct wf_beside_hold *hold;
-    size_t n, guys = a->scenario.guys;
+    size_t n, first = a->scenario.guys;
     if (wf_beside_holds(a, &scratch, &n, &hold, &unsaid)) d->failed = true, n = 0;
-    for (size_t k = guys; k < n; k++) {
-        const struct wf_brace *b = &a->scenario.brace[k - guys];
+    for (size_t k = guys ? 0 : first; k < (guys && n ? first : n); k++) {
         json_t *o = wf_doc_add(d, list, hold_part(d, &hold[k]));
-        wf_doc_quantity(d, o, "stiffness", b->stiffness, "N/m", NULL);
-        wf_doc_quantity(d, o, "pretension", b->pretension, "N", NULL);
-        wf_doc_quantity(d, o, "slack", b->slack, "m", NULL);
+        const struct wf_guy *g = guys ? &a->scenario.guy[k] : NULL;
+        const struct wf_brace *b = guys ? NULL : &a->scenario.brace[k - first];
+        if (g) {
+            wf_doc_quantity(d, o, "height", g->height, "m", NULL);
+            wf_doc_quantity(d, o, "distance", g->distance, "m", NULL);
+            wf_doc_quantity(d, o, "towards", g->towards, "rad", NULL);
+        }
+        wf_doc_quantity(d, o, "stiffness", g ? g->stiffness : b->stiffness, "N/m", NULL);
+        wf_doc_quantity(d, o, "pretension", g ? g->pretension : b->pretension, "N", NULL);
+        if (b) wf_doc_quantity(d, o, "slack", b->slack, "m", NULL);
     }
     wf_arena_free(&scratch);
     return list;
 }
+
+json_t *wf_part_guys(struct wf_doc *d, const struct wf_analysis *a) { return holds_part(d, a, true); }
+json_t *wf_part_braces(struct wf_doc *d, const struct wf_analysis *a) { return holds_part(d, a, false); }
 
 /* ---- A tree beside itself ---- */
 
@@ -75,10 +70,10 @@ json_t *wf_part_around(struct wf_doc *d, size_t n, const struct wf_assess_direct
     return list;
 }
 
-/* Of a tree with something changed: keys of all versions, then those that are not of --remove. */
-static void put_changed(struct wf_doc *d, json_t *o, const struct wf_beside *x)
+/* Of a tree with something changed: keys of all versions. */
+static void put_changed(struct wf_doc *d, json_t *o, const char *name, const struct wf_beside *x)
 {
-    wf_doc_text(d, o, "name", x->name ? x->name : "");
+    wf_doc_text(d, o, "name", name);
     wf_doc_number(d, o, "cut", x->cut);
     wf_doc_flag(d, o, "flagged", x->cut > WF_ASSESS_CUT_FLAGGED);
     wf_doc_quantity(d, o, "drag", x->drag, "N", "no equilibrium");
@@ -100,7 +95,7 @@ static void put_assessed(struct wf_doc *d, json_t *o, const struct wf_beside *x)
 static json_t *changed_part(struct wf_doc *d, const struct wf_beside *x)
 {
     json_t *o = wf_doc_object(d);
-    put_changed(d, o, x);
+    put_changed(d, o, x->name ? x->name : "", x);
     wf_doc_quantity(d, o, "speed", x->speed, "m/s", NULL);
     wf_doc_quantity(d, o, "branch_safety", x->branches, "1", "no branch is listed, or no equilibrium");
     if (x->assessed) put_assessed(d, o, x);
@@ -121,20 +116,14 @@ json_t *wf_part_removals(struct wf_doc *d, const struct wf_besides *all)
     json_t *out = NULL;
     for (size_t k = 1; k < all->n; k++) {
         if (!all->item[k].removal) continue;
-        if (!out) put_changed(d, wf_doc_add(d, out = wf_doc_array(d), wf_doc_object(d)), &all->item[0]);
-        put_changed(d, wf_doc_add(d, out, wf_doc_object(d)), &all->item[k]);
+        const char *part = strchr(all->item[k].name, '=');
+        if (!out) put_changed(d, wf_doc_add(d, out = wf_doc_array(d), wf_doc_object(d)), "", &all->item[0]);
+        put_changed(d, wf_doc_add(d, out, wf_doc_object(d)), part ? part + 1 : "", &all->item[k]);
     }
     return out;
 }
 
 /* ---- Tables ---- */
-
-bool wf_besides_made(const struct wf_run *run)
-{
-    bool any = false;
-    for (size_t i = 0; i < run->n; i++) any = any || run->analysis[i].beside;
-    return any;
-}
 
 static void text_cell(FILE *f, const char *text)
 {
@@ -151,52 +140,36 @@ static void cells(FILE *f, const double *x, size_t n)
     for (size_t k = 0; k < n; k++) wf_folder_cell(f, x[k], 10);
 }
 
-size_t wf_besides_write(const struct wf_run *run, FILE *f)
+size_t wf_besides_rows(FILE *f, size_t tree, const struct wf_besides *all)
 {
-    size_t rows = 0;
-    fputs("tree,scenario,wind_m_s,crown_gone,drag_N,weight_N,base_moment_Nm,stem_safety,branch_safety,"
-          "lost_wind_m_s,searched_to_m_s,breakage_safety,overturning_safety,verdict\n",
-          f);
-    for (size_t i = 0; i < run->n; i++) {
-        const struct wf_besides *all = run->analysis[i].beside;
-        for (size_t k = 0; all && k < all->n; k++, rows++) {
-            const struct wf_beside *x = &all->item[k];
-            const double value[] = { x->speed,  x->cut,      x->drag,     x->weight,   x->base_moment, x->safety,
-                                     x->branches, x->critical, x->searched, x->breakage, x->overturning };
-            fprintf(f, "%zu", i + 1);
-            text_cell(f, x->name ? x->name : "");
-            cells(f, value, WF_COUNT(value));
-            fprintf(f, ",%s\n", x->assessed ? wf_assess_rows[x->word].name : "");
-        }
+    for (size_t k = 0; k < all->n; k++) {
+        const struct wf_beside *x = &all->item[k];
+        const double value[] = { x->speed,       x->cut,      x->drag,       x->weight,
+                                 x->base_moment, x->safety,   x->branches,   x->critical,
+                                 x->searched,    x->breakage, x->overturning };
+        fprintf(f, "%zu", tree);
+        text_cell(f, x->name ? x->name : "");
+        cells(f, value, WF_COUNT(value));
+        fprintf(f, ",%s\n", x->assessed ? wf_assess_rows[x->word].name : "");
     }
-    return rows;
+    return all->n;
 }
 
-bool wf_holds_made(const struct wf_run *run)
+static void hold_row(FILE *f, size_t tree, const char *name, const struct wf_beside_hold *h)
 {
-    bool any = false;
-    for (size_t i = 0; i < run->n; i++)
-        for (size_t k = 0; run->analysis[i].beside && k < run->analysis[i].beside->n; k++)
-            any = any || run->analysis[i].beside->item[k].holds;
-    return any;
+    const double value[] = { h->force,    h->speed,    h->wind_from * (180 / WF_PI),
+                             h->critical, h->breaking, h->safety };
+    fprintf(f, "%zu", tree);
+    text_cell(f, name), text_cell(f, h->kind), text_cell(f, h->from), text_cell(f, h->to);
+    cells(f, value, WF_COUNT(value));
+    putc('\n', f);
 }
 
-size_t wf_holds_write(const struct wf_run *run, FILE *f)
+size_t wf_holds_rows(FILE *f, size_t tree, const struct wf_besides *all)
 {
     size_t rows = 0;
-    fputs("tree,scenario,kind,from,to,force_N,wind_m_s,critical_force_N,breaks_at_N,safety\n", f);
-    for (size_t i = 0; i < run->n; i++) {
-        const struct wf_besides *all = run->analysis[i].beside;
-        for (size_t k = 0; all && k < all->n; k++)
-            for (size_t j = 0; j < all->item[k].holds; j++, rows++) {
-                const struct wf_beside_hold *h = &all->item[k].hold[j];
-                const double value[] = { h->force, h->speed, h->critical, h->breaking, h->safety };
-                fprintf(f, "%zu", i + 1);
-                text_cell(f, all->item[k].name ? all->item[k].name : "");
-                text_cell(f, h->kind), text_cell(f, h->from), text_cell(f, h->to);
-                cells(f, value, WF_COUNT(value));
-                putc('\n', f);
-            }
-    }
+    for (size_t k = 0; k < all->n; k++)
+        for (size_t i = 0; i < all->item[k].holds; i++, rows++)
+            if (f) hold_row(f, tree, all->item[k].name ? all->item[k].name : "", &all->item[k].hold[i]);
     return rows;
 }

@@ -26,7 +26,7 @@ struct wf_run {
     size_t inputs;
     const struct wf_input_file *input;
     const struct wf_job *job; /* NULL: none */
-    bool random; /* random numbers were drawn, from `seed` */
+    bool random;              /* random numbers were drawn, from `seed` */
     uint64_t seed;
 };
 

@@ -9,9 +9,9 @@
 #include "grow/silhouette.h"
 #include "load/interception.h"
 #include "load/winter.h"
-#include "study/beside.h"
 #include "study/brace.h"
 #include "study/guy.h"
+#include "study/held.h"
 #include "study/node.h"
 #include "study/removal.h"
 #include "study/rest.h"
@@ -266,10 +266,10 @@ static enum wf_status analyze_bare(struct wf_analysis *an, const struct wf_solve
     for (size_t k = 0; k < an->n && !s; k++) {
         if ((s = wf_nodes_solve(nodes, o, speeds[k], &node, e))) continue;
         an->at[k] = node->at;
-        if (!node->at.status) an->branch_safety = wf_beside_branches(an, node);
+        if (!node->at.status) an->branch_safety = wf_node_branch_safety(an, node);
     }
     if (!s) s = wf_analysis_breaks(an, o, nodes, an->breaks, e);
-    if (!s) s = wf_beside_held(an, o, nodes, e);
+    if (!s) s = wf_held_find(an, o, nodes, e);
     wf_nodes_close(nodes);
     return s;
 }
@@ -295,10 +295,14 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     enum wf_status s = check_call(sc, &q, solver, o, speeds, n, e);
     if (s) return s;
     for (size_t k = 0; k < n; k++) q.speed_max = fmax(q.speed_max, q.beyond * speeds[k]);
-    *out = (struct wf_analysis){
-        .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d,
-        .branch_safety = NAN
-    };
+    *out = (struct wf_analysis){ .species = sp,
+                                 .model = m,
+                                 .solver = solver,
+                                 .scenario = *sc,
+                                 .search = q,
+                                 .n = n,
+                                 .diag = d,
+                                 .branch_safety = NAN };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = list_unions(out, a, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
@@ -324,7 +328,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         s = wf_fail(&why, WF_ENOMEM, "not enough memory for the search of the critical speed");
     wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: critical wind speed", sp->name);
     if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
-    if (!s) s = wf_beside_held(out, o, nodes, &why);
+    if (!s) s = wf_held_find(out, o, nodes, &why);
     searched = !s;
     wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", sp->name);
     if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);

@@ -48,6 +48,9 @@ struct wf_assess_part {
 struct wf_assess_direction {
     double from;                  /* where the wind comes from, clockwise from north [rad] */
     double breakage, overturning; /* safeties [-] */
+    /* of what holds the tree, at the peak of the load on the stem, as struct wf_at_speed; NAN: no equilibrium
+     * [N] */
+    double tie[WF_TIES_MAX], link[WF_LINKS_MAX];
 };
 
 struct wf_beside; /* study/beside.h */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/beside.h"
 #include "base/num.h"
+#include "fail/anchorage.h"
 #include "study/brace.h"
+#include "study/directions.h"
 #include "study/guy.h"
-#include "study/node.h"
 #include "study/verdict.h"
 #include <math.h>
 
@@ -43,6 +44,23 @@ static struct wf_beside_hold hold_of_brace(const struct wf_analysis *an, size_t 
     return out;
 }
 
+/* Is it larger in the strongest wind from another direction of an assessment? */
+static void look_around(const struct wf_analysis *an, size_t tie, size_t link, struct wf_beside_hold *out)
+{
+    const struct wf_assessment *x = an->assessment;
+    const struct wf_directions_request place = { .north = 0 };
+    out->wind_from = NAN;
+    if (!x || !x->directions) return;
+    out->wind_from = wf_direction_from(&place, an->scenario.azimuth);
+    for (size_t k = 0; k < x->directions; k++) {
+        const struct wf_assess_direction *d = &x->direction[k];
+        double force = tie < WF_TIES_MAX ? d->tie[tie] : d->link[link];
+        if (!(fabs(force) > fabs(out->force))) continue;
+        out->force = force, out->speed = x->speed, out->wind_from = d->from;
+    }
+    out->safety = out->force > 0 ? out->breaking / out->force : (double)NAN;
+}
+
 enum wf_status wf_beside_holds(const struct wf_analysis *an, struct wf_arena *a, size_t *n,
                                const struct wf_beside_hold **out, struct wf_err *e)
 {
@@ -51,54 +69,16 @@ enum wf_status wf_beside_holds(const struct wf_analysis *an, struct wf_arena *a,
     bool whole = list;
     for (size_t k = 0; whole && k < guys + braces; k++) {
         list[k] = k < guys ? hold_of_guy(an, k, a) : hold_of_brace(an, k - guys, a);
+        look_around(an, k < guys ? k : WF_TIES_MAX, k < guys ? 0 : k - guys, &list[k]);
         whole = list[k].from && list[k].to;
     }
     *n = guys + braces, *out = list;
     return whole ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for cables");
 }
 
-enum wf_status wf_beside_held(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_nodes *nodes,
-                              struct wf_err *e)
-{
-    const struct wf_solve_options quick = wf_nodes_quick(o);
-    const struct wf_node *node;
-    struct wf_at_speed at;
-    struct wf_err why = { WF_OK, "" };
-    for (size_t k = 0; k < WF_TIES_MAX; k++) an->held.tie[k] = NAN;
-    for (size_t k = 0; k < WF_LINKS_MAX; k++) an->held.link[k] = NAN;
-    if (!an->loads.ties && !an->loads.links) return WF_OK;
-    if (!is_lost(an)) return WF_OK;
-    const double speed = wf_verdict_of((const struct wf_break(*)[WF_SCOPES])an->breaks).loss->critical.speed;
-    enum wf_status s;
-    if (!wf_nodes_tracked(an))
-        s = wf_speed_totals(an, o, speed, &at, &why);
-    else if (!(s = wf_nodes_solve(nodes, &quick, speed, &node, &why)))
-        at = node->at;
-    if (s && wf_nodes_late(nodes)) return WF_OK;
-    if (s) return wf_fail(e, s, "%s", why.text);
-    for (size_t k = 0; k < an->loads.ties && !at.status; k++) an->held.tie[k] = at.tie[k];
-    for (size_t k = 0; k < an->loads.links && !at.status; k++) an->held.link[k] = at.link[k];
-    return WF_OK;
-}
-
 /* ---- Branches ---- */
 
-double wf_beside_branches(const struct wf_analysis *an, const struct wf_node *node)
-{
-    const struct wf_tree *t = &an->tree;
-    double most = 0;
-    for (int c = 0; c < WF_CRITERIA && !node->at.status; c++) {
-        const float *utilisation = node->column[c].value;
-        if (!wf_criteria[c].loses_tree || !utilisation) continue;
-        for (size_t i = 0; i < t->n; i++)
-            if (2 * fmax(t->r0[i], t->r1[i]) >= an->search.branches_from &&
-                wf_scope_holds(WF_SCOPE_BRANCHES, t, i))
-                most = fmax(most, (double)utilisation[i]);
-    }
-    return most > 0 ? 1 / most : (double)NAN;
-}
-
-/* The same of an analysis that keeps the columns of its winds. */
+/* The least safety of the branches that are listed, of an analysis that keeps the columns of its winds. */
 static double listed_branches(const struct wf_analysis *an)
 {
     struct wf_branch_class list[WF_BRANCH_CLASSES];
@@ -136,6 +116,9 @@ enum wf_status wf_beside_check(const struct wf_species *sp, const struct wf_mode
     struct wf_diag unsaid = { .arena = &scratch };
     struct wf_analysis an = { .species = sp, .model = m, .scenario = *sc };
     enum wf_status s = wf_analysis_draw(&an, &scratch, &unsaid, e);
+    if (!s && sc->anchorage && sc->anchorage->lost > 0 && !an.anchorage->method)
+        s = wf_fail(e, WF_EINPUT, "root_loss has no effect: what the roots hold is not known: %s",
+                    an.anchorage->text ? an.anchorage->text : WF_ANCHORAGE_UNSAID);
     wf_arena_free(&scratch);
     return s;
 }

@@ -10,12 +10,14 @@ extern "C" {
 
 /* What holds it: a cable or rod between two points of it, or a guy to the ground. */
 struct wf_beside_hold {
-    const char *kind;     /* "cable", "rod", "guy" */
+    const char *kind;      /* "cable", "rod", "guy" */
     const char *from, *to; /* its ends; of a guy the height on the stem, and where its anchor lies */
-    double force, speed;  /* the largest in the given winds, and the wind [N], [m/s]; NAN: no equilibrium */
-    double critical;      /* in the wind in which the tree is lost [N]; NAN: none, or not known */
-    double breaking;      /* load that it breaks at [N]; NAN: not given */
-    double safety;        /* against that, in the given winds [-]; NAN: not given, or it does not pull */
+    double force, speed;   /* the largest in the given winds, and the wind [N], [m/s]; NAN: no equilibrium */
+    double wind_from; /* of an assessment by directions: where that comes from, clockwise from north [rad];
+                         else NAN */
+    double critical;  /* in the wind in which the tree is lost [N]; NAN: none, or not known */
+    double breaking;  /* load that it breaks at [N]; NAN: not given */
+    double safety;    /* against that, in the given winds [-]; NAN: not given, or it does not pull */
 };
 
 /* One of them, in the strongest wind given. */
@@ -49,17 +51,6 @@ enum wf_status wf_beside_take(const struct wf_analysis *an, struct wf_arena *a, 
 /* What holds the tree of an analysis. Returned: their number; *out in the arena. Errors: WF_ENOMEM. */
 enum wf_status wf_beside_holds(const struct wf_analysis *an, struct wf_arena *a, size_t *n,
                                const struct wf_beside_hold **out, struct wf_err *e);
-
-struct wf_nodes; /* study/node.h */
-/* The forces of what holds the tree in the wind in which it is lost, for which branches are solved in their own
- * state too, on the mesh of the search. Given: an analysis with its critical winds and the nodes of their
- * search. Returned: an->held; not known where the time of the search is used up. Errors: WF_ENOMEM,
- * WF_EINTERRUPTED. */
-enum wf_status wf_beside_held(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_nodes *nodes,
-                              struct wf_err *e);
-/* The least safety of the branches that are listed, by a node of the analysis [-]; NAN: not known. */
-struct wf_node;
-double wf_beside_branches(const struct wf_analysis *an, const struct wf_node *node);
 
 /* Can the tree of a scenario be drawn with what is done to it? Errors: as of wf_analysis_draw. */
 enum wf_status wf_beside_check(const struct wf_species *sp, const struct wf_model *m,

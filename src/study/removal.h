@@ -25,9 +25,9 @@ struct wf_removed {
 enum wf_status wf_removals_read(const char *text, struct wf_arena *a, const struct wf_removed **out,
                                 size_t *n, struct wf_err *e);
 
-/* Take the scenario's removal off the tree. Given: an analysis whose tree is grown. Returned: its tree and `cut`,
- * the share of the leaves that is gone, where it has none of the sail, else of the area of branches. Errors: WF_EINPUT where
- * there is no such part, or it is of the stem; WF_ENOMEM. */
+/* Take the scenario's removal off the tree. Given: an analysis whose tree is grown. Returned: its tree and
+ * `cut`, the share of the leaves that is gone, where it has none of the sail, else of the area of branches.
+ * Errors: WF_EINPUT where there is no such part, or it is of the stem; WF_ENOMEM. */
 enum wf_status wf_removal_onto(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e);
 
 #ifdef __cplusplus

@@ -109,7 +109,8 @@ struct wf_misread {
     double radius, height; /* factors on all its radii; on all its lengths [-] */
     bool *doubtful;        /* rows in doubt of the tree as measured (struct wf_tree), also of the sample */
 };
-/* Forces of what holds the tree in the wind in which it is lost; NAN: there is none, or they are not known. */
+/* Forces of what holds the tree in the wind in which it is lost; NAN: there is none, or they are not known.
+ */
 struct wf_held {
     double tie[WF_TIES_MAX], link[WF_LINKS_MAX]; /* as struct wf_at_speed [N] */
 };
@@ -146,8 +147,8 @@ struct wf_analysis {
     double branch_safety; /* `bare`: the least of the listed branches in the strongest given wind that has a
                              solution [-]; NAN: none */
     struct wf_held held;
-    double tallness;                        /* height [m] */
-    struct wf_diag *diag;                   /* validity warnings                               */
+    double tallness;      /* height [m] */
+    struct wf_diag *diag; /* validity warnings                               */
 };
 
 /* Given: an analysis whose tree, wind, loads, species, solver are set; a speed at the reference height [m/s].

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cmd/analyze_beside.h"
+#include "cmd/analyze_scenarios.h"
 #include "base/interrupt.h"
 #include "base/num.h"
 #include "base/progress.h"
@@ -20,31 +20,30 @@ struct wf_analyze_scenario {
 /* ---- Reading ---- */
 
 /* The tree of a scenario: that of the run, unless it changes what is drawn. */
-static enum wf_status read_tree(const struct wf_analyze_work *w, const struct wf_scenario_words *x,
+static enum wf_status read_tree(const struct wf_model *whole, const struct wf_scenario_words *x,
                                 struct wf_arena *a, struct wf_diag *d, struct wf_analyze_scenario *out,
                                 struct wf_err *e)
 {
     const char *path;
-    if (wf_scenario_draws(x, &w->options.args))
+    if (wf_scenario_draws(x, &out->options.args))
         return wf_tree_asked_read(&out->options.tree, NULL, a, &out->model, &path, d, e);
-    out->model = w->model;
+    out->model = *whole;
     return WF_OK;
 }
 
-static enum wf_status read_one(struct wf_analyze_work *w, const struct wf_scenario_words *x,
-                               struct wf_units *units, struct wf_diag *d, struct wf_analyze_scenario *out,
-                               struct wf_err *e)
+static enum wf_status read_one(const struct wf_analyze_options *o, const struct wf_model *whole,
+                               const struct wf_scenario_words *x, struct wf_units *units, struct wf_arena *a,
+                               struct wf_diag *d, struct wf_analyze_scenario *out, struct wf_err *e)
 {
-    struct wf_arena *a = &w->arena;
     struct wf_diag own = { .arena = a };
     struct wf_err why = { WF_OK, "" };
-    *out = (struct wf_analyze_scenario){ .name = x->name, .removal = x->removal, .options = w->options };
+    *out = (struct wf_analyze_scenario){ .name = x->name, .removal = x->removal, .options = *o };
     size_t before = d->errors;
-    enum wf_status s = wf_scenario_options(&w->options.args, "analyze", x, units, a, d, &out->options.args, e);
+    enum wf_status s = wf_scenario_options(&o->args, "analyze", x, units, a, d, &out->options.args, e);
     if (s || d->errors > before) return s;
-    s = read_tree(w, x, a, &own, out, &why);
+    s = read_tree(whole, x, a, &own, out, &why);
     if (!s) s = wf_analyze_request_read(&out->options, a, &own, &out->request, &why);
-    if (!s) s = wf_scenario_onto(&out->options, &w->model, NAN, a, &out->request, &out->model, &why);
+    if (!s) s = wf_scenario_onto(&out->options, whole, NAN, a, &out->request, &out->model, &why);
     const struct wf_finding *f = own.first;
     while (f && f->severity != WF_ERROR) f = f->next;
     if (s == WF_ENOMEM) return wf_fail(e, s, "%s", why.text);
@@ -52,28 +51,32 @@ static enum wf_status read_one(struct wf_analyze_work *w, const struct wf_scenar
     return WF_OK;
 }
 
-enum wf_status wf_analyze_beside_read(struct wf_analyze_work *w, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_analyze_list_read(const struct wf_analyze_options *o, const struct wf_model *whole,
+                                    struct wf_arena *a, struct wf_diag *d, struct wf_analyze_list *out,
+                                    struct wf_err *e)
 {
     struct wf_units *units = NULL;
-    struct wf_scenario_list *words = WF_TAKE(&w->arena, 1, struct wf_scenario_list);
+    struct wf_scenario_list *words = WF_TAKE(a, 1, struct wf_scenario_list);
+    *out = (struct wf_analyze_list){ 0, NULL };
     if (!words) return wf_fail(e, WF_ENOMEM, "not enough memory for scenarios");
     size_t before = d->errors;
-    enum wf_status s = wf_scenarios_split(&w->options, &w->arena, d, words, e);
+    enum wf_status s = wf_scenarios_split(o, a, d, words, e);
     if (!s && words->n) {
-        w->beside = WF_TAKE(&w->arena, words->n, struct wf_analyze_scenario);
-        s = w->beside ? wf_units_open(&units, e) : wf_fail(e, WF_ENOMEM, "not enough memory for scenarios");
+        out->item = WF_TAKE(a, words->n, struct wf_analyze_scenario);
+        s = out->item ? wf_units_open(&units, e) : wf_fail(e, WF_ENOMEM, "not enough memory for scenarios");
     }
-    for (size_t k = 0; k < words->n && !s; k++) s = read_one(w, &words->item[k], units, d, &w->beside[k], e);
+    for (size_t k = 0; k < words->n && !s; k++)
+        s = read_one(o, whole, &words->item[k], units, a, d, &out->item[k], e);
     if (units) wf_units_close(units);
-    if (!s) w->besides = words->n;
+    if (!s) out->n = words->n;
     return s || d->errors == before ? s : wf_fail(e, WF_EUSAGE, "a scenario is wrong");
 }
 
-enum wf_status wf_analyze_beside_check(const struct wf_analyze_work *w, const struct wf_species *sp,
-                                       struct wf_err *e)
+enum wf_status wf_analyze_list_check(const struct wf_analyze_list *list, const struct wf_species *sp,
+                                     struct wf_err *e)
 {
-    for (size_t k = 0; k < w->besides; k++) {
-        const struct wf_analyze_scenario *x = &w->beside[k];
+    for (size_t k = 0; k < list->n; k++) {
+        const struct wf_analyze_scenario *x = &list->item[k];
         struct wf_err why = { WF_OK, "" };
         enum wf_status s = wf_beside_check(sp, &x->model, &x->request.scenario, &why);
         if (s) return wf_fail(e, s, "scenario '%s': %s", x->name, why.text);
@@ -83,8 +86,8 @@ enum wf_status wf_analyze_beside_check(const struct wf_analyze_work *w, const st
 
 /* ---- Running ---- */
 
-static enum wf_status run_one(const struct wf_analysis *whole, struct wf_analyze_scenario *x, struct wf_arena *a,
-                              struct wf_beside *out, struct wf_err *e)
+static enum wf_status run_one(const struct wf_analysis *whole, struct wf_analyze_scenario *x,
+                              struct wf_arena *a, struct wf_beside *out, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_diag unsaid = { .arena = &scratch };
@@ -110,17 +113,17 @@ static enum wf_status run_one(const struct wf_analysis *whole, struct wf_analyze
     return s ? wf_fail(e, s, "scenario '%s': %s", x->name, why.text) : WF_OK;
 }
 
-enum wf_status wf_analyze_beside_run(struct wf_analyze_work *w, struct wf_analysis *an, struct wf_err *e)
+enum wf_status wf_analyze_list_run(const struct wf_analyze_list *list, struct wf_arena *a,
+                                   struct wf_analysis *an, struct wf_err *e)
 {
-    struct wf_besides *out = WF_TAKE(&w->arena, 1, struct wf_besides);
-    struct wf_beside *list = WF_TAKE(&w->arena, w->besides + 1, struct wf_beside);
+    struct wf_besides *out = WF_TAKE(a, 1, struct wf_besides);
+    struct wf_beside *item = WF_TAKE(a, list->n + 1, struct wf_beside);
     struct wf_err why = { 0 };
-    if (!w->besides || wf_interrupted()) return WF_OK;
-    if (!out || !list) return wf_fail(e, WF_ENOMEM, "not enough memory for scenarios");
-    enum wf_status s = wf_beside_take(an, &w->arena, &list[0], &why);
-    for (size_t k = 0; k < w->besides && !s; k++)
-        s = run_one(an, &w->beside[k], &w->arena, &list[k + 1], &why);
-    *out = (struct wf_besides){ w->besides + 1, list };
+    if (!list->n || wf_interrupted()) return WF_OK;
+    if (!out || !item) return wf_fail(e, WF_ENOMEM, "not enough memory for scenarios");
+    enum wf_status s = wf_beside_take(an, a, &item[0], &why);
+    for (size_t k = 0; k < list->n && !s; k++) s = run_one(an, &list->item[k], a, &item[k + 1], &why);
+    *out = (struct wf_besides){ list->n + 1, item };
     if (s == WF_EINTERRUPTED) {
         wf_diag_warn(an->diag, "interrupted", "interrupted before all scenarios were computed");
         return WF_OK;
