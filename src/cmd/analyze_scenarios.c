@@ -107,6 +107,7 @@ static enum wf_status run_one(const struct wf_analysis *whole, struct wf_analyze
     enum wf_status s = wf_analyze(whole->species, &x->model, &q->scenario, &q->search, q->solver, &q->solve,
                                   wind->speed, wind->n, &scratch, &unsaid, &an, &why);
     if (!s) s = wf_beside_take(&an, a, out, &why);
+    if (!s) wf_beside_pass(&unsaid, whole->diag);
     out->name = x->name, out->removal = x->removal;
     q->scenario.anchorage = said;
     wf_arena_free(&scratch);
