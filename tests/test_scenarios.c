@@ -147,8 +147,9 @@ static void evergreen(void **state)
           "$x 2>&1 | grep -c 'keeps its leaves in winter'; done; done | tr -d '\n'",
           CODE_OK,
           { "111000111000" } },
-        { TREE "$W analyze scots_pine --tree $T/t.csv --wind 20 --no-report --samples 0 -o $T/a --scenarios "
-               "season=leaf_off",
+        { TREE
+          "$W analyze scots_pine --tree $T/t.csv --wind 20 --no-report --leaf-area 20 --samples 0 -o $T/a "
+          "--scenarios season=leaf_off",
           CODE_OK,
           { "[evergreen]: Scots pine keeps its leaves" } },
     };
