@@ -165,15 +165,25 @@ static struct station *near_station(struct wf_track *k, double speed, double nea
     return s && apart(s->speed, speed) <= log(near) ? s : NULL;
 }
 
-/* Let the last solution be the one nearest to a speed: where it is nearer than `own` (NULL: any near one).
- * false: none is. */
+/* How the shape grows with the wind speed: between stiff trees (2) and streamlined ones. */
+static const double growth = 1.5;
+
+/* to: the form at a wind speed near that of a solution, along its derivative. */
+static void lead_on(const struct wf_track *k, struct form to, const struct station *s, double speed)
+{
+    if (s->led) add_form(k, to, (pow(speed / s->speed, growth) - 1) / (s->share * growth), s->lead);
+}
+
+/* Let the last form be that of the solution nearest to a speed, moved there along its derivative: where it is
+ * nearer than `own` (NULL: any near one). false: none is. */
 static bool recall(struct wf_track *k, double speed, const struct station *own)
 {
     const double nearer = 1.2, much = 4;
     const struct station *s = near_station(k, speed, nearer);
     if (!s || (own && !(much * apart(s->speed, speed) < apart(own->speed, speed)))) return false;
     copy_form(k, k->last, s->at);
-    k->speed = s->speed;
+    lead_on(k, k->last, s, speed);
+    k->speed = s->led ? speed : s->speed;
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
     return true;
@@ -421,13 +431,13 @@ static const struct form *form_below(const struct wf_track *k, double speed, dou
 }
 
 /* Move the unknowns from a solution on, by as much as they changed to it from that below. */
-static void move_on(struct wf_track *k, const struct station *s, double power, double to)
+static void move_on(struct wf_track *k, const struct station *s, double to)
 {
     const double most = 2;
     double low;
     const struct form *below = form_below(k, s->speed, &low);
     if (!below || to > most * s->speed) return;
-    double from = pow(s->speed, power), part = (pow(to, power) - from) / (from - pow(low, power));
+    double from = pow(s->speed, growth), part = (pow(to, growth) - from) / (from - pow(low, growth));
     add_form(k, form_of(&k->beam), part, s->at);
     add_form(k, form_of(&k->beam), -part, *below);
 }
@@ -438,7 +448,7 @@ static void move_on(struct wf_track *k, const struct station *s, double power, d
 static double put_start(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
                         bool between)
 {
-    const double power = 1.5, to = wind_of(l);
+    const double to = wind_of(l);
     const struct station *s = nearest_station(k, to), *beside[2];
     bool close = near_station(k, to, WF_TRACK_NEAR);
     if (start->other && recall(start->other, to, close ? s : NULL)) {
@@ -460,9 +470,9 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
     if (s) copy_form(k, k->last, s->at);
     put_back(k, k->last);
     if (close && s->led)
-        add_form(k, form_of(&k->beam), (pow(to / s->speed, power) - 1) / (s->share * power), s->lead);
+        lead_on(k, form_of(&k->beam), s, to);
     else if (between && s && to > s->speed)
-        move_on(k, s, power, to);
+        move_on(k, s, to);
     return s ? s->speed : k->speed;
 }
 
