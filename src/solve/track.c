@@ -627,9 +627,9 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     return s;
 }
 
-enum wf_status wf_track_sway(struct wf_track *k, const double to[3], double width, struct wf_modes_sway *out,
-                             double *shape, struct wf_err *e)
+enum wf_status wf_track_sway(struct wf_track *k, const double to[3], const double *width, size_t bands,
+                             struct wf_modes_sway *out, double *shape, struct wf_err *e)
 {
     if (!k->solved) return wf_fail(e, WF_EINTERNAL, "there is no solution to sway about");
-    return wf_modes_sway(&k->beam, to, width, out, shape, e);
+    return wf_modes_sway(&k->beam, to, width, bands, out, shape, e);
 }
