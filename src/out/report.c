@@ -357,6 +357,8 @@ static enum wf_status draw_report(struct job *j)
         g[n++] = (struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 };
     if (json_is_object(json_object_get(first, "directions")))
         g[n++] = (struct wf_figure){ "directions", "directions", 0 };
+    if (json_array_size(json_object_get(first, "scenarios")))
+        g[n++] = (struct wf_figure){ "scenarios", "scenarios", 0 };
     if (tree && wf_figures_say(j->folder, "tree", j->units, j->tongue, j->e)) return j->e->code;
     if (!write_plot_data(j->folder, j->document, j->units, &why)) {
         if (tree && !lines) code = draw_tree(j);
