@@ -98,35 +98,6 @@
   </table>
 </xsl:template>
 
-<xsl:template name="as-scenarios">
-  <table class="data">
-    <xsl:call-template name="caption"><xsl:with-param name="id">as.t.scenarios</xsl:with-param></xsl:call-template>
-    <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of" select="'as.c.done;as.c.cut:%;as.breakage:;as.overturning:;c.wt.critical:m/s;as.c.word'"/>
-    </xsl:call-template></tr></thead>
-    <tbody>
-      <xsl:for-each select="assessment/scenarios/item">
-        <tr>
-          <td><xsl:value-of select="name"/></td>
-          <td class="r">
-            <xsl:value-of select="format-number(100 * cut, '0')"/><xsl:if test="flagged = 'true'">&#160;!</xsl:if>
-          </td>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="breakage/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="overturning/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="critical_speed/value"/><xsl:with-param name="pattern">0.0</xsl:with-param>
-          </xsl:call-template>
-          <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.short.', word)"/></xsl:call-template></td>
-        </tr>
-      </xsl:for-each>
-    </tbody>
-  </table>
-</xsl:template>
-
 <xsl:template name="assessment">
   <xsl:variable name="a" select="assessment"/>
   <table class="data">
@@ -172,7 +143,7 @@
       <xsl:for-each select="$a/record/item"><li><xsl:value-of select="text"/></li></xsl:for-each>
     </ul>
   </xsl:if>
-  <xsl:if test="$a/scenarios/item"><xsl:call-template name="as-scenarios"/></xsl:if>
+  <xsl:call-template name="scenarios-tables"><xsl:with-param name="of" select="."/></xsl:call-template>
   <xsl:if test="$a/directions/item"><xsl:call-template name="as-directions"/></xsl:if>
 </xsl:template>
 </xsl:stylesheet>

@@ -75,6 +75,30 @@
   </xsl:call-template>
 </xsl:template>
 
+<xsl:template name="beside-rows">
+  <xsl:variable name="i" select="position()"/>
+  <xsl:call-template name="text-row">
+    <xsl:with-param name="key">BESIDE_NAME</xsl:with-param><xsl:with-param name="index" select="$i"/>
+    <xsl:with-param name="text">
+      <xsl:if test="count($trees) &gt; 1"><xsl:for-each select="../.."><xsl:call-template name="name"/>: </xsl:for-each></xsl:if>
+      <xsl:value-of select="name"/>
+      <xsl:if test="name = ''"><xsl:call-template name="say"><xsl:with-param name="id">sc.stands</xsl:with-param></xsl:call-template></xsl:if>
+    </xsl:with-param>
+  </xsl:call-template>
+  <xsl:call-template name="number-row">
+    <xsl:with-param name="key">BESIDE_STEM</xsl:with-param><xsl:with-param name="index" select="$i"/>
+    <xsl:with-param name="x" select="breakage/value | self::*[not(word)]/safety/value"/>
+  </xsl:call-template>
+  <xsl:call-template name="number-row">
+    <xsl:with-param name="key">BESIDE_ROOT</xsl:with-param><xsl:with-param name="index" select="$i"/>
+    <xsl:with-param name="x" select="overturning/value"/>
+  </xsl:call-template>
+  <xsl:call-template name="number-row">
+    <xsl:with-param name="key">BESIDE_BRANCHES</xsl:with-param><xsl:with-param name="index" select="$i"/>
+    <xsl:with-param name="x" select="branch_safety/value"/>
+  </xsl:call-template>
+</xsl:template>
+
 <xsl:template match="/report">
   <xsl:variable name="far">
     <xsl:for-each select="$trees/winds/item/speed/value | $trees/critical/speed/value[. != '']">
@@ -125,6 +149,17 @@
         </xsl:for-each>
       </xsl:with-param>
     </xsl:call-template>
+    <!-- the trees beside themselves: names, and safeties of stem (of an analysis against loss of any kind), root, branches -->
+    <xsl:variable name="beside" select="$trees/scenarios/item"/>
+    <xsl:call-template name="number-row">
+      <xsl:with-param name="key">BESIDE</xsl:with-param><xsl:with-param name="x" select="count($beside)"/>
+    </xsl:call-template>
+    <xsl:if test="$beside/word">
+      <xsl:call-template name="number-row">
+        <xsl:with-param name="key">REQUIRED</xsl:with-param><xsl:with-param name="x" select="$trees[1]/assessment/required"/>
+      </xsl:call-template>
+    </xsl:if>
+    <xsl:for-each select="$beside"><xsl:call-template name="beside-rows"/></xsl:for-each>
     <xsl:call-template name="number-row">
       <xsl:with-param name="key">SPEED_MAX</xsl:with-param>
       <xsl:with-param name="x"><xsl:choose>

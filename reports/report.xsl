@@ -8,6 +8,7 @@
 <xsl:include href="front.xsl"/>
 <xsl:include href="verdict.xsl"/>
 <xsl:include href="assessment.xsl"/>
+<xsl:include href="scenarios.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
 <xsl:include href="interval.xsl"/>
@@ -217,6 +218,10 @@
           </xsl:choose>
         </xsl:with-param>
       </xsl:call-template>
+      <xsl:if test="@name = 'tip' and $trees/species/streamlining/reference_speed/value &gt; 0">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">f.tip.kink</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:if test="@name = 'front' and $trees[1]/winds/item[status = 'ok'][last()]/beyond_loss = 'true'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">lv.beyond</xsl:with-param></xsl:call-template>
@@ -292,114 +297,6 @@
             </xsl:call-template>
           </tr>
         </xsl:for-each>
-      </xsl:for-each>
-    </tbody>
-  </table>
-</xsl:template>
-
-<!-- Trees without some of their branches, beside themselves. -->
-<xsl:template name="removals-table">
-  <table class="data">
-    <xsl:call-template name="caption"><xsl:with-param name="id">rm.caption</xsl:with-param></xsl:call-template>
-    <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.br.tree;c.rm.without;as.c.cut:%;c.wt.drag:kN;c.rm.weight:kN;
-        c.wt.moment:kN m;c.rm.safety:;c.wt.critical:m/s</xsl:with-param>
-    </xsl:call-template></tr></thead>
-    <tbody>
-      <xsl:for-each select="$trees/removals/item">
-        <tr>
-          <td><xsl:if test="position() = 1"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if></td>
-          <td><xsl:value-of select="name"/></td>
-          <td class="r">
-            <xsl:value-of select="format-number(100 * cut, '0')"/><xsl:if test="flagged = 'true'">&#160;!</xsl:if>
-          </td>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="drag/value div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="weight/value div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="base_moment/value div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="safety/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
-          <xsl:choose>
-            <xsl:when test="searched_to/value"><td class="r">&gt;&#160;<xsl:value-of select="searched_to/value"/></td></xsl:when>
-            <xsl:otherwise>
-              <xsl:call-template name="cell">
-                <xsl:with-param name="x" select="critical_speed/value"/><xsl:with-param name="pattern">0.0</xsl:with-param>
-              </xsl:call-template>
-            </xsl:otherwise>
-          </xsl:choose>
-        </tr>
-      </xsl:for-each>
-    </tbody>
-  </table>
-</xsl:template>
-
-<!-- Cables that hold a tree. -->
-<xsl:template name="guys-table">
-  <table class="data">
-    <xsl:call-template name="caption"><xsl:with-param name="id">gy.caption</xsl:with-param></xsl:call-template>
-    <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.br.tree;c.gy.height:m;c.gy.distance:m;c.gy.towards:°;
-        c.gy.stiffness:kN/m;c.gy.pretension:kN;c.gy.pull:kN</xsl:with-param>
-    </xsl:call-template></tr></thead>
-    <tbody>
-      <xsl:for-each select="$trees/guys/item">
-        <tr>
-          <td>
-            <xsl:if test="not(preceding-sibling::item)">
-              <xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each>
-            </xsl:if>
-          </td>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="height/value"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="distance/value"/></xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="towards/value * 57.29577951308232"/><xsl:with-param name="pattern">0</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="stiffness/value div 1000"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="pretension/value div 1000"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="pull/value div 1000"/></xsl:call-template>
-        </tr>
-      </xsl:for-each>
-    </tbody>
-  </table>
-</xsl:template>
-
-<!-- Cables and rods between two points of a tree. -->
-<xsl:template name="braces-table">
-  <table class="data">
-    <xsl:call-template name="caption"><xsl:with-param name="id">bz.caption</xsl:with-param></xsl:call-template>
-    <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.br.tree;c.bz.kind;c.bz.from;c.bz.to;c.gy.stiffness:kN/m;c.gy.pretension:kN;c.bz.slack:m;
-        c.bz.pull:kN;c.bz.speed:m/s;c.bz.breaking:kN;c.bz.safety</xsl:with-param>
-    </xsl:call-template></tr></thead>
-    <tbody>
-      <xsl:for-each select="$trees/braces/item">
-        <tr>
-          <td>
-            <xsl:if test="not(preceding-sibling::item)">
-              <xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each>
-            </xsl:if>
-          </td>
-          <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('bz.', name)"/></xsl:call-template></td>
-          <td><xsl:value-of select="from_point"/></td>
-          <td><xsl:value-of select="to_point"/></td>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="stiffness/value div 1000"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="pretension/value div 1000"/></xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="slack/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="pull/value div 1000"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-          </xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="breaking/value div 1000"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
-        </tr>
       </xsl:for-each>
     </tbody>
   </table>
@@ -503,7 +400,7 @@
         <xsl:if test="$trees/unions"><xsl:call-template name="union-tables"/></xsl:if>
         <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
-        <xsl:if test="$trees/removals/item"><xsl:call-template name="removals-table"/></xsl:if>
+        <xsl:call-template name="scenarios-tables"><xsl:with-param name="of" select="$trees[not(assessment)]"/></xsl:call-template>
         <xsl:if test="$trees/guys/item"><xsl:call-template name="guys-table"/></xsl:if>
         <xsl:if test="$trees/braces/item"><xsl:call-template name="braces-table"/></xsl:if>
         <xsl:if test="$trees/winter">

@@ -12,35 +12,41 @@
     "$W analyze ash --tree $T/" file ".csv --wind 20,30 --samples 0 --no-report --soil mineral --search-to " \
     "150 -o $T/o_" file " --remove " what " "
 /* The numbers of one line of the table, without its first two columns. */
-#define LINE(name) "| grep '^ *" name " .* %' | sed 's/.*% *//'"
+#define LINE(name) "| grep '^ *" name " .* %' | sed 's/.*%!* *//'"
 
 static void as_drawn(void **state)
 {
     (void)state;
-    static const struct row
-        rows
-            [] = {
-                { TREES
-                      RUN("all", "id:3,id:3+id:5,level:1") ">$T/all; " RUN(
-                          "less", "id:5") ">$T/less; "
-                                          "cat $T/all " LINE("id:3") " >$T/a; cat $T/all " LINE("id:3+id:5") " >>$T/a; cat $T/all " LINE("level:1") " >>$T/a; cat $T/less " LINE(
-                                              "as it stands") " >$T/b; cat $T/less " LINE("id:5") " >>$T/b; "
-                                                                                                  "cat "
-                                                                                                  "$T/"
-                                                                                                  "less"
-                                                                                                  " " LINE("i"
-                                                                                                           "d"
-                                                                                                           ":"
-                                                                                                           "5") " >>$T/b; cmp $T/a $T/b && wc -l <$T/a; cat $T/a",
-                  CODE_OK,
-                  { "3\n1.522 " } },
-                { TREES RUN(
-                      "all",
-                      "id:4") "| grep -c 'id:4 '; grep -c '\"removals\"' $T/o_all/results.json; $W report "
-                              "$T/o_all --no-pdf; echo \"[$?]\"; grep -c 'id:4' $T/o_all/report.html",
-                  CODE_OK,
-                  { "1\n1\n", "[0]\n1\n" } },
-            };
+    static const struct row rows[] = {
+        { TREES RUN("all", "id:3,id:3+id:5,level:1") ">$T/all; " RUN(
+              "less", "id:5") ">$T/less; "
+                              "cat $T/all " LINE("remove=id:3") " >$T/a; cat $T/all " LINE("remove=id:3+id:5") " >>$T/a; cat $T/all " LINE("remove=level:1") " >>$T/a; cat $T/less " LINE(
+                                  "as it stands") " >$T/b; cat $T/less " LINE("remove=id:5") " >>$T/b; "
+                                                                                             "cat "
+                                                                                             "$T/"
+                                                                                             "less"
+                                                                                             " " LINE(
+                                                                                                 "remove=id:"
+                                                                                                 "5") " >>$T/"
+                                                                                                      "b; "
+                                                                                                      "cmp "
+                                                                                                      "$T/a "
+                                                                                                      "$T/b "
+                                                                                                      "&& wc "
+                                                                                                      "-l "
+                                                                                                      "<$T/"
+                                                                                                      "a; "
+                                                                                                      "cat "
+                                                                                                      "$T/a",
+          CODE_OK,
+          { "3\n1.522 " } },
+        { TREES RUN(
+              "all",
+              "id:4") "| grep -c '=id:4 '; grep -c '\"removals\"' $T/o_all/results.json; $W report "
+                      "$T/o_all --no-pdf; echo \"[$?]\"; grep -c '<td>remove=id:4</td>' $T/o_all/report.html",
+          CODE_OK,
+          { "1\n1\n", "[0]\n1\n" } },
+    };
     CHECK(rows);
 }
 

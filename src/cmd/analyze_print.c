@@ -356,8 +356,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
     if (v.loss && !wf_criteria[v.criterion].whole) print_weight(to, an, v.loss);
     print_others(to, an, &v);
     print_anchorage(to, an);
-    wf_print_guys(to, an);
-    wf_print_braces(to, an);
+    wf_print_holds(to, an);
     print_room(to, an);
     print_first(to, an);
 }
@@ -664,7 +663,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     wf_print_interval(to, an);
     print_branches(to, an);
     print_unions(to, an);
-    wf_print_removals(to, an);
+    wf_print_beside(to, an);
     wf_print_walls(to, an);
     wf_print_wetted(to, an);
     print_directions(to, an);

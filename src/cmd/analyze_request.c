@@ -3,7 +3,6 @@
 #include "base/num.h"
 #include "study/brace.h"
 #include "study/guy.h"
-#include "study/removal.h"
 #include "wind/climate.h"
 #include "wind/design.h"
 #include "wind/terrain.h"
@@ -33,14 +32,28 @@ static bool guy_unused(const void *options, const struct wf_option *row, char *w
     return s && wf_option_unused(!s->ties, why, "with the solver '%s'", s->name);
 }
 
-static bool remove_unused(const void *options, const struct wf_option *row, char *why)
+static bool beside_unused(const void *options, const struct wf_option *row, char *why)
 {
     const struct wf_analyze_options *o = options;
-    const struct wf_solver *s = solver_used(options);
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    const struct wf_solver *s = p && p->solver ? wf_solver_named(p->solver) : wf_solver_named(o->solver);
     (void)row;
+    if (strcmp(o->preset, wf_presets[0].name) != 0)
+        return wf_option_unused(true, why, "with the preset '%s', which repeats a publication", o->preset);
     if (s && !s->tracked)
         return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
     return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
+}
+
+static bool roots_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const char *text = ((const struct wf_analyze_options *)options)->root_loss;
+    struct wf_anchorage_request q;
+    (void)row;
+    return wf_option_unused(!wf_root_loss_read(text, &q), why,
+                            "'%.60s' is no loss of roots: a share up to 95%% all around, 40%%, or a sector "
+                            "clockwise from north with or without a share, 30deg:120deg:60%%",
+                            text);
 }
 
 static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
@@ -155,11 +168,23 @@ const struct wf_option wf_analyze_options[] = {
           .unused = guy_unused),
     TEXTS("--rod", rods, "FROM:TO:STIFFNESS[:PRETENSION][:breaks FORCE]",
           "a rod, which also pushes; whether it buckles is not assessed", .unused = guy_unused),
+    TEXTS("--scenarios", scenarios, "KEY=VALUE[+KEY=VALUE],...",
+          "beside the tree as it stands: such trees, each by keys of a tree, its wind and its site: "
+          "cable=id:99:id:58:200kN/m, remove=level:1+cable=..., season=leaf_off, snow=20cm, "
+          "root_loss=40%, terrain=II (the neighbours felled)",
+          .unused = beside_unused),
     TEXTS("--remove", remove, "PART[+PART],...",
-          "beside the tree as it stands: without a level of branches (level:2, or its name) or the segment "
-          "with "
-          "an id and all that it carries (id:14)",
-          .unused = remove_unused),
+          "short for scenarios remove=PART+PART: without a level of branches (level:2, or its name) or the "
+          "segment with an id and all that it carries (id:14)",
+          .unused = beside_unused),
+    FLAG("--leaf-off", leaf_off, "beside the tree as it stands: when the leaves have fallen",
+         .unused = beside_unused),
+    NUMBER("--cavity-growth", cavity_growth, "LENGTH", LENGTH, "mm", 0, 1000, NULL,
+           "the same with so much off the walls of the cavities", .unused = beside_unused),
+    TEXT("--root-loss", root_loss, "SHARE|FROM:TO[:SHARE]", NULL,
+         "the same with a share of the roots lost, all around (40%) or in a sector clockwise from north "
+         "(30deg:120deg or 30deg:120deg:60%): a rule of ours",
+         .wrong = roots_wrong, .unused = beside_unused),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     FLAG("--unions", unions,
@@ -315,9 +340,6 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
     if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
-    out->removed = NULL, out->removals = 0;
-    if (o->remove && (status = wf_removals_read(o->remove, a, &out->removed, &out->removals, e)))
-        return status;
     if (o->guys && (status = wf_guys_read(o->guys, o->north, a, &s->guy, &s->guys, e))) return status;
     if ((status = read_braces(o, a, s, e))) return status;
     s->winds_said = o->args.winds_said;

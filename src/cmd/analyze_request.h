@@ -39,7 +39,11 @@ struct wf_analyze_options {
     double corridor, corridor_towards, tip_angle; /* [m], [rad], [rad]; NAN: not given */
     double node_spacing;                          /* [m]; NAN: not given */
     bool unions;
-    const char *guys, *cables, *rods, *remove; /* NULL: none */
+    const char *guys, *cables, *rods; /* NULL: none */
+    /* beside the tree as it stands; NULL, NAN: not given */
+    const char *scenarios, *remove, *root_loss; /* "40 %" or "30deg:120deg:40 %" */
+    double cavity_growth;                       /* [m] */
+    bool leaf_off;
     struct wf_pages pages;
     struct wf_job job;
 };
@@ -53,11 +57,10 @@ struct wf_analyze_request {
     const struct wf_solver *solver;
     const struct wf_preset *preset;
     struct wf_directions_request directions; /* n = 0: none */
-    const struct wf_removed *removed;        /* what the tree is shown without */
-    size_t removals;
 };
 
-/* Convert the options to a request. Files are read: a measured profile, a climate, a table of anchorage;
+/* Convert the options to a request, but for what is beside the tree as it stands (cmd/scenarios.h). Files are
+ * read: a measured profile, a climate, a table of anchorage;
  * their mistakes are in `d`, any other error is in `e`. */
 enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struct wf_arena *a,
                                        struct wf_diag *d, struct wf_analyze_request *out, struct wf_err *e);

@@ -8,7 +8,6 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "load/interception.h"
-#include "study/removal.h"
 #include "study/verdict.h"
 #include "study/wetted.h"
 #include "wind/terrain.h"
@@ -94,6 +93,13 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (asked && !worst) worst = asked;
     next = (struct wf_err){ 0 };
+    found = d.errors;
+    enum wf_status beside =
+        w->hooks || worst ? WF_OK
+                          : wf_analyze_list_read(&w->options, &w->model, &w->arena, &d, &w->scenarios, &next);
+    if (beside && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
+    if (beside) worst = beside;
+    next = (struct wf_err){ 0 };
     enum wf_status pictures = wf_job_read(&w->options.job, &w->arena, w->picture, &next);
     if (pictures) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (pictures && !worst) worst = pictures;
@@ -171,81 +177,6 @@ static enum wf_status run_burdens(struct wf_analyze_work *w, struct wf_analysis 
     return WF_OK;
 }
 
-/* What leaves are there, or the crown's sail where there are none. */
-static double crown_of(const struct wf_tree *t, bool leaves)
-{
-    double sum = 0;
-    if (leaves) return wf_tree_leaf_area(t);
-    for (size_t i = 0; i < t->n; i++) sum += 0.5 * (t->sail0[i] + t->sail1[i]) * wf_tree_length(t, i);
-    return sum;
-}
-
-static void take_removal(const struct wf_analysis *whole, const struct wf_analysis *an,
-                         struct wf_removal *out)
-{
-    const struct wf_at_speed *at = &an->at[an->n - 1];
-    struct wf_verdict v = wf_verdict_of(an->breaks);
-    bool leaves = wf_tree_leaf_area(&whole->tree) > 0;
-    double all = crown_of(&whole->tree, leaves), left = crown_of(&an->tree, leaves);
-    out->cut = all > 0 ? 1 - left / all : 0;
-    out->drag = at->drag, out->weight = at->weight, out->base_moment = at->base_moment;
-    out->safety = wf_verdict_safety(at, NULL);
-    const struct wf_critical *c = v.loss ? &v.loss->critical : NULL;
-    out->critical = c && c->outcome == WF_CRITICAL_FOUND ? c->speed : (double)NAN;
-    out->searched = c && c->outcome == WF_CRITICAL_ABOVE ? c->speed_high : (double)NAN;
-}
-
-static enum wf_status run_without(const struct wf_analysis *whole, const struct wf_solve_options *o,
-                                  const struct wf_removed *what, struct wf_removal *out, struct wf_err *e)
-{
-    struct wf_arena scratch = { 0 };
-    struct wf_diag unsaid = { .arena = &scratch };
-    struct wf_analysis an;
-    struct wf_scenario sc = whole->scenario;
-    struct wf_search search = whole->search;
-    struct wf_anchorage_request roots;
-    double *speed = WF_TAKE(&scratch, whole->n, double);
-    if (!speed) return wf_fail(e, WF_ENOMEM, "not enough memory for a removal");
-    for (size_t k = 0; k < whole->n; k++) speed[k] = whole->at[k].speed;
-    search.bare = true, search.solved = NULL, search.unions = false;
-    sc.removed = what;
-    if (sc.anchorage) { /* the roots grew with the whole tree */
-        roots = *sc.anchorage;
-        if (!(roots.grown > 0)) roots.grown = whole->tallness;
-        sc.anchorage = &roots;
-    }
-    *out = (struct wf_removal){ .what = what };
-    enum wf_status s = wf_analyze(whole->species, whole->model, &sc, &search, whole->solver, o, speed,
-                                  whole->n, &scratch, &unsaid, &an, e);
-    if (!s) take_removal(whole, &an, out);
-    wf_arena_free(&scratch);
-    return s;
-}
-
-/* The tree as it stands, and without what is named. Roots and anchorage are those of the whole tree; one that
- * stands in its shape stands in it without its branches too. */
-static enum wf_status run_removals(struct wf_analyze_work *w, struct wf_analysis *an, struct wf_err *e)
-{
-    const struct wf_analyze_request *q = &w->request;
-    struct wf_removals *out = WF_TAKE(&w->arena, 1, struct wf_removals);
-    struct wf_removal *list = WF_TAKE(&w->arena, q->removals + 1, struct wf_removal);
-    struct wf_err why = { 0 };
-    enum wf_status s = WF_OK;
-    if (!q->removals || wf_interrupted()) return WF_OK;
-    if (!out || !list) return wf_fail(e, WF_ENOMEM, "not enough memory for removals");
-    take_removal(an, an, &list[0]);
-    for (size_t k = 0; k < q->removals && !s; k++)
-        s = run_without(an, &q->solve, &q->removed[k], &list[k + 1], &why);
-    *out = (struct wf_removals){ q->removals + 1, list };
-    if (s == WF_EINTERRUPTED) {
-        wf_diag_warn(an->diag, "interrupted",
-                     "interrupted before the tree without its branches was computed");
-        return WF_OK;
-    }
-    if (!s) an->removals = out;
-    return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
-}
-
 /* Was tree k interrupted? The first one is kept as far as it came; a later one has not what the first has and
  * is left out. Returned: the trees of the results, 0 to go on. */
 static size_t end_early(struct wf_analyze_work *w, size_t k)
@@ -268,9 +199,7 @@ static enum wf_status analyse(struct wf_analyze_work *w, size_t *done, struct wf
         w->diag[k].arena = &w->arena;
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
-        if (w->request.removals &&
-            wf_removals_check(&w->species[k], &w->model, w->request.removed, w->request.removals, e))
-            return e->code;
+        if (wf_analyze_list_check(&w->scenarios, &w->species[k], e)) return e->code;
         w->request.search.solved = speeds_solved, w->request.search.context = w;
         wf_stage_item(k + 1, w->options.args.n);
         enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
@@ -278,7 +207,7 @@ static enum wf_status analyse(struct wf_analyze_work *w, size_t *done, struct wf
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
         if (!s) s = run_burdens(w, &w->analysis[k], e);
-        if (!s) s = run_removals(w, &w->analysis[k], e);
+        if (!s) s = wf_analyze_list_run(&w->scenarios, &w->arena, &w->analysis[k], e);
         if (!s && preset == wf_presets) /* others repeat a publication as printed */
             s = wf_interval_take(&w->analysis[k], &w->request.solve, &w->request.interval,
                                  WF_GIVEN(&w->options, samples), &w->arena, e);

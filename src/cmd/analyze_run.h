@@ -2,7 +2,7 @@
 #ifndef WF_CMD_ANALYZE_RUN_H
 #define WF_CMD_ANALYZE_RUN_H
 /* A run of windfirm analyze or compare: read, analyse, print, write, draw. */
-#include "cmd/analyze_request.h"
+#include "cmd/analyze_scenarios.h"
 #include "data/model.h"
 #include "out/results.h"
 #include <time.h>
@@ -28,6 +28,7 @@ struct wf_analyze_work {
     struct wf_analyze_options options;
     struct wf_bytes picture[WF_JOB_PICTURES]; /* photograph and logo of the page */
     struct wf_analyze_request request;
+    struct wf_analyze_list scenarios;
     const char *folder;
     struct wf_run_folder results;
     struct wf_model model;

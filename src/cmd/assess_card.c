@@ -2,6 +2,8 @@
 #include "cmd/assess_card.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "cmd/assess_fit.h"
+#include "cmd/scenarios.h"
 #include "data/species.h"
 #include "grow/silhouette.h"
 #include "wind/wind.h"
@@ -153,68 +155,29 @@ static bool reduce_wrong(const void *options, const struct wf_option *row, char 
                             text);
 }
 
-/* A number with one of two units; without one it is of the second where that is NULL. */
-static bool read_part(const char *text, const char *unit, double factor, bool bare, double *out)
+/* What is done to the crown of a card, of which the tree of a fit has none. */
+static bool crown_unused(const void *options, const struct wf_option *row, char *why)
 {
-    const char *end = wf_number_read(text, text + strlen(text), '.', out);
-    if (!end) return false;
-    end += strspn(end, " ");
-    if (!*end) return bare;
-    *out *= factor;
-    return !strcmp(end, unit);
-}
-
-/* "40 %" all around, "30deg:120deg" or "30deg:120deg:40 %", clockwise from north. Returned: whether it is one
- * of them; in *q the loss, its sector as on a compass: middle and half the width [rad]. */
-static bool read_root_loss(const char *text, struct wf_anchorage_request *q)
-{
-    char copy[80], *part[3] = { copy };
-    const double degree = WF_PI / 180;
-    double from, to;
-    size_t n = 1;
-    if (!text) return true;
-    if (strlen(text) >= sizeof copy) return false;
-    memcpy(copy, text, strlen(text) + 1);
-    static const char *const key[] = { "from=", ",to=", ",share=" }; /* a table of a card, as it arrives */
-    for (size_t k = 0; k < WF_COUNT(key); k++) {
-        char *at = strstr(copy, key[k]);
-        if (!at || (k == 0 && at != copy)) break;
-        if (k) *at++ = ':';
-        memmove(at, at + strlen(key[k]) - (k > 0), strlen(at + strlen(key[k]) - (k > 0)) + 1);
-    }
-    for (char *p = copy; (p = strchr(p, ':')); part[n++] = p) {
-        if (n == WF_COUNT(part)) return false;
-        *p++ = '\0';
-        p += strspn(p, " ");
-    }
-    q->lost = 1, q->lost_half = WF_PI;
-    if (n != 2 && !read_part(part[n - 1], "%", 0.01, true, &q->lost)) return false;
-    if (n > 1) {
-        if (!read_part(part[0], "deg", 1, true, &from) || !read_part(part[1], "deg", 1, true, &to))
-            return false;
-        if (!(fabs(from) <= 360 && fabs(to) <= 360)) return false;
-        double width = to - from > 0 ? to - from : to - from + 360;
-        if (from == to || !(width > 0 && width <= 360)) return false;
-        q->lost_half = 0.5 * width * degree, q->lost_middle = (from + 0.5 * width) * degree;
-    }
-    return q->lost > 0 && q->lost <= (n > 1 ? 1 : 0.95);
-}
-
-static bool root_loss_wrong(const void *options, const struct wf_option *row, char *why)
-{
-    const char *text = ((const struct wf_assess_options *)options)->root_loss;
-    struct wf_anchorage_request q;
+    const struct wf_assess_options *o = options;
     (void)row;
-    return wf_option_unused(!read_root_loss(text, &q), why,
-                            "'%.60s' is no loss of roots: a share up to 95%% all around, 40%%, or a sector "
-                            "clockwise from north with or without a share, 30deg:120deg:60%%",
-                            text);
+    if (o->from)
+        return wf_option_unused(true, why, "with a fit, whose tree has branches: remove=... takes them off");
+    return wf_option_unused(o->run.args.n > 0, why, "with a table of trees; a card has it");
 }
 
 static bool change_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
-    return wf_option_unused(elsewhere(options), why, "with a table of trees or a fit; a card has it");
+    return wf_option_unused(((const struct wf_assess_options *)options)->run.args.n > 0, why,
+                            "with a table of trees; a card has it");
+}
+
+static bool remove_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_assess_options *o = options;
+    if (o->run.args.n > 0) return change_unused(options, row, why);
+    return wf_option_unused(!o->from, why,
+                            "with a card, which draws the stem alone: reduce and thin change its crown");
 }
 
 static bool reports_unused(const void *options, const struct wf_option *row, char *why)
@@ -263,17 +226,9 @@ static const struct wf_option card_rows[] = {
          "beside the tree as it stands: its crown reduced all round, by a share of its height and width "
          "(20%) or "
          "by a length (3m)",
-         .wrong = reduce_wrong, .unused = change_unused),
+         .wrong = reduce_wrong, .unused = crown_unused),
     NUMBER("--thin", thin, "SHARE", NONE, NULL, 0, 0.9, NULL, "share of the crown taken out (15%)",
-           .unused = change_unused),
-    FLAG("--leaf-off", leaf_off, "when the leaves have fallen", .unused = change_unused),
-    NUMBER("--cavity-growth", cavity_growth, "LENGTH", LENGTH, "mm", 0, 1000, NULL,
-           "off the walls of the cavities", .unused = change_unused),
-    TEXT(
-        "--root-loss", root_loss, "SHARE|FROM:TO[:SHARE]", NULL,
-        "share of the roots that is lost, all around (40%) or in a sector clockwise from north (30deg:120deg "
-        "or 30deg:120deg:60%): a rule of ours",
-        .wrong = root_loss_wrong, .unused = change_unused),
+           .unused = crown_unused),
     TEXT("--reports", reports, "FOLDER", NULL,
          "of a table: also results, tables, plots and pages of each tree, in a folder by the line of its row",
          .unused = reports_unused),
@@ -283,11 +238,6 @@ static const struct wf_option card_rows[] = {
          .unused = scans_unused),
     PATH("--from", from, "FOLDER", NULL,
          "in place of a card: the tree of a pulling test, a results folder of 'windfirm fit'"),
-    TEXTS(
-        "--scenarios", scenarios, "KEY=VALUE[+KEY=VALUE],...",
-        "more such trees, each by keys of a card: reduce=3m, thin=15%+reduce=10%, snow=20cm, terrain=II (the "
-        "neighbours felled)",
-        .unused = change_unused),
     TEXT("--output", run.output, "PATH", NULL,
          "write results, tables, plots and pages there, as 'windfirm analyze' does [the terminal alone]; of "
          "a table "
@@ -301,7 +251,7 @@ static const char *const left_out[] = {
     "--rest",    "--scanned",      "--strict",        "--crown-outline",   "--unload",
     "--tree-id", "--scan-model",   "--force",         "--cap-children",    "--preset",
     "--solver",  "--shelter",      "--branches-from", "--branch-strength", "--weight-stress",
-    "--unions",  "--node-spacing", "--remove",
+    "--unions",  "--node-spacing",
 };
 
 static bool is_left_out(const struct wf_option *row)
@@ -336,17 +286,14 @@ const struct wf_option *wf_assess_options_of(struct wf_assess_options *o)
         rows[n] = *row;
         if (!strcmp(row->name, "--crown-width")) rows[n].wrong = width_wrong;
         if (!strcmp(row->name, "--design")) rows[n].wrong = wind_wrong;
+        if (wf_scenario_changes(row) || !strcmp(row->name, "--scenarios")) rows[n].unused = change_unused;
+        if (!strcmp(row->name, "--remove")) rows[n].unused = remove_unused;
         n++;
     }
     o->run.branches_from = 0.05;
     return rows;
 }
 _Static_assert(offsetof(struct wf_assess_options, run) == 0, "rows of analyze are taken as they are");
-
-bool wf_assess_changes(const struct wf_option *row)
-{
-    return row->unused == change_unused && strcmp(row->name, "--scenarios");
-}
 
 /* ---- The model ---- */
 
@@ -370,7 +317,8 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
     beside.crown.leafless = NAN; /* of a tree in leaf it is that of its scenarios without leaves */
     if ((s = wf_tree_asked_onto(&beside, false, a, out, d, e))) return s;
     out->silhouette.leafless = o->run.tree.crown.leafless;
-    if (!isnan(out->silhouette.leafless) && out->season == WF_LEAF_ON && !o->leaf_off && !o->scenarios)
+    if (!isnan(out->silhouette.leafless) && out->season == WF_LEAF_ON && !o->run.leaf_off &&
+        !o->run.scenarios)
         wf_diag_warn(d, "leaf-off-share", "%s: leaf_off_share has no effect on a tree in leaf", out->name);
     return WF_OK;
 }
@@ -429,36 +377,22 @@ static enum wf_status read_scan(const struct wf_assess_options *o, struct wf_are
     return s ? s : put_crown(o, out, e);
 }
 
-static enum wf_status change_model(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
+/* What is done to the crown of a card. */
+static enum wf_status change_crown(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_assess_options *o = &c->options;
-    struct wf_card_change change = { .thin = o->thin, .cavity_growth = o->cavity_growth };
+    struct wf_card_change change = { .thin = o->thin, .cavity_growth = NAN };
     (void)read_reduction(o->reduce, &change);
-    if (o->leaf_off) wf_model_set_season(&c->model, WF_LEAF_OFF);
     return wf_card_change(&change, a, &c->model, &c->cut, e);
-}
-
-/* The roots grew with the whole tree. */
-static enum wf_status change_roots(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
-{
-    struct wf_anchorage_request *q = WF_TAKE(a, 1, struct wf_anchorage_request);
-    if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
-    if (c->request.scenario.anchorage) *q = *c->request.scenario.anchorage;
-    if (!c->options.scan) q->grown = c->options.height;
-    if (c->options.root_loss) {
-        (void)read_root_loss(c->options.root_loss, q);
-        q->lost_middle = wf_wind_azimuth(q->lost_middle + WF_PI, c->request.directions.north);
-    }
-    if (c->request.scenario.anchorage) c->request.scenario.anchorage = q;
-    return WF_OK;
 }
 
 enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_err *e)
 {
-    bool card = !c->options.scan;
-    enum wf_status s = card ? wf_assess_model(&c->options, c->species, a, &c->model, d, e)
-                            : read_scan(&c->options, a, &c->model, d, e);
+    bool card = !c->options.scan && !c->fit;
+    enum wf_status s = c->fit ? wf_assess_fit_model(c->fit, &c->options.run, a, &c->model, d, e)
+                       : card ? wf_assess_model(&c->options, c->species, a, &c->model, d, e)
+                              : read_scan(&c->options, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
     c->request.search.bare = !c->options.reports;
     if (c->request.search.bare && card &&
@@ -466,8 +400,12 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
         c->request.solve.mesh_tolerance = 0.0;
         c->request.solve.tolerance = fmax(c->request.solve.tolerance, 1e-2); /* its square is left */
     }
-    if (!s && card) s = change_model(c, a, e);
-    return s ? s : change_roots(c, a, e);
+    if (!s && c->fit) s = wf_assess_fit_onto(c->fit, &c->options.run, a, &c->request, e);
+    if (!s && card) s = change_crown(c, a, e);
+    double grown = card ? c->options.height : c->fit ? c->grown : (double)NAN;
+    return s ? s
+             : wf_scenario_onto(&c->options.run, c->whole ? c->whole : &c->model, grown, a, &c->request,
+                                &c->model, e);
 }
 
 enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, struct wf_diag *d,

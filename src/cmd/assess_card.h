@@ -6,17 +6,16 @@
 #include "grow/card.h"
 #include "study/assessment.h"
 
+struct wf_assess_fit; /* cmd/assess_fit.h */
 struct wf_assess_options {
     struct wf_analyze_options run; /* comes first: its rows are taken as they are */
     const char *name, *species;    /* NULL: not given */
     double height, girth, dbh, crown_base;
-    double lean, lean_towards;  /* [rad], clockwise from north; NAN: not given */
-    double required;            /* safety [-] */
-    const char *reduce;         /* "20 %" or "3 m"; NULL: not given */
-    double thin, cavity_growth; /* [-], [m]; NAN: not given */
-    const char *root_loss;      /* "40 %" or "30deg:120deg:40 %"; NULL: not given */
-    bool leaf_off;
-    const char *scenarios, *from; /* NULL: none */
+    double lean, lean_towards;    /* [rad], clockwise from north; NAN: not given */
+    double required;              /* safety [-] */
+    const char *reduce;           /* "20 %" or "3 m"; NULL: not given */
+    double thin;                  /* [-]; NAN: not given */
+    const char *from;             /* NULL: none */
     const char *reports;          /* folder, of a table; NULL: none */
     const char *scans;            /* folder of the files that a table names; NULL: that of the table */
     const char *scan;             /* file of the tree in place of the card, of a row; NULL: none; no option */
@@ -27,9 +26,6 @@ struct wf_assess_options {
 
 /* Set the options that are not rows of assess, and give its rows; they end at name == NULL. */
 const struct wf_option *wf_assess_options_of(struct wf_assess_options *o);
-
-/* Is this row of the options something that is done to the tree, or happens to it? */
-bool wf_assess_changes(const struct wf_option *row);
 
 /* The model of a card with all that is said of its tree, without changes; `sp` NULL: the species is not
  * known, only the card is checked. Errors: WF_EINPUT with mistakes in `d`; any other error is in `e`. */
@@ -46,6 +42,10 @@ struct wf_assess_often wf_assess_often_of(const struct wf_assess_options *o);
 struct wf_assess_case {
     struct wf_assess_options options;
     const struct wf_species *species;
+    const struct wf_assess_fit
+        *fit;                     /* the tree is that of a fit, with its species' fitted values; NULL: none */
+    const struct wf_model *whole; /* the tree as it stands; NULL: that of this case */
+    double grown;                 /* of a fit: its height [m] */
     struct wf_model model;
     struct wf_analyze_request request;
     double cut; /* share of the crown's frontal area that the changes take [-] */

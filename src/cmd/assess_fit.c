@@ -200,6 +200,32 @@ enum wf_status wf_assess_fit_read(const char *folder, struct wf_arena *a, struct
     return s ? s : read_study(folder, a, d, out, e);
 }
 
+/* ---- The tree ---- */
+
+enum wf_status wf_assess_fit_model(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
+                                   struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                                   struct wf_err *e)
+{
+    enum wf_status s = wf_model_read(f->model, a, out, d, e);
+    return s ? s : wf_tree_asked_onto(&o->tree, false, a, out, d, e);
+}
+
+enum wf_status wf_assess_fit_onto(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
+                                  struct wf_arena *a, struct wf_analyze_request *q, struct wf_err *e)
+{
+    const struct wf_anchorage_asked *asked = &o->anchorage;
+    struct wf_anchorage_request *roots = WF_TAKE(a, 1, struct wf_anchorage_request);
+    if (!roots) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
+    if (!f->root.given) return WF_OK;
+    if (!WF_GIVEN(o, root_stiffness)) q->solve.root_stiffness[0] = q->solve.root_stiffness[1] = f->root.value;
+    bool said =
+        asked->method || asked->curve || asked->table || !isnan(asked->pull_moment) || !isnan(asked->secant);
+    *roots =
+        (struct wf_anchorage_request){ .soil = asked->soil, .pull_moment = NAN, .secant = f->root.value };
+    if (!said) q->scenario.anchorage = roots;
+    return WF_OK;
+}
+
 /* ---- In words ---- */
 
 /* Moment on the section of the stem at a height in the strongest wind [N m]. */

@@ -4,8 +4,8 @@
 /* From a fitted pulling test to an assessment: what a results folder of windfirm fit says of one tree. */
 #include "base/arena.h"
 #include "base/err.h"
+#include "cmd/analyze_request.h"
 #include "data/species.h"
-#include "study/analysis.h"
 #include "study/assessment.h"
 #include <stdio.h>
 
@@ -34,6 +34,15 @@ struct wf_assess_fit {
  * WF_EINPUT with mistakes in `d`: no fit of one tree, none of the two values; a study that has changed. */
 enum wf_status wf_assess_fit_read(const char *folder, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_assess_fit *out, struct wf_err *e);
+
+/* Its tree, with what the options say beside it. Errors: mistakes in `d`; any other error is in `e`. */
+enum wf_status wf_assess_fit_model(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
+                                   struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                                   struct wf_err *e);
+/* Its root onto a request, as its spring and, unless the options name an anchorage, as what that is found by.
+ */
+enum wf_status wf_assess_fit_onto(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
+                                  struct wf_arena *a, struct wf_analyze_request *q, struct wf_err *e);
 
 /* Second safeties straight from the record, and the direction of the pull beside the weakest. Given: a
  * finished analysis whose strongest wind has its columns; the compressive strength over the fitted modulus is

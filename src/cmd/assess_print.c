@@ -233,7 +233,7 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
 static void print_scenario(FILE *to, const char *name, double cut, double breakage, double overturning,
                            double critical, enum wf_assess_word word)
 {
-    wf_show(to, "%36.36s", name);
+    wf_print_name(to, name, 36);
     if (cut > 0)
         wf_show(to, "%7.0f %%%s", 100 * cut, cut > WF_ASSESS_CUT_FLAGGED ? "!" : " ");
     else
@@ -265,13 +265,14 @@ static void print_scenarios(FILE *to, const struct wf_analysis *an)
                        v.loss ? v.loss->critical.speed : (double)NAN, x->word);
     }
     for (size_t k = 0; k < x->scenarios; k++) {
-        const struct wf_assess_scenario *q = &x->scenario[k];
+        const struct wf_beside *q = &x->scenario[k];
         print_scenario(to, q->name, q->cut, q->breakage, q->overturning, q->critical, q->word);
         flagged = flagged || q->cut > WF_ASSESS_CUT_FLAGGED;
     }
     if (x->scenarios) wf_show(to, "  scenarios are without an interval: 'incomplete' may be uncertain\n");
+    wf_print_beside_holds(to, x->scenarios, x->scenario);
     for (size_t k = 0; k < x->scenarios; k++) {
-        const struct wf_assess_scenario *q = &x->scenario[k];
+        const struct wf_beside *q = &x->scenario[k];
         if (!q->directions) continue;
         wf_show(to, "\n  %s: safety by the direction the wind comes from: breakage, overturning\n", q->name);
         print_around(to, q->directions, q->direction);
@@ -294,8 +295,7 @@ void wf_print_assessment(FILE *to, const struct wf_analysis *an)
     print_governing(to, an);
     print_critical(to, an);
     print_years(to, an);
-    wf_print_guys(to, an);
-    wf_print_braces(to, an);
+    wf_print_holds(to, an);
     wf_print_wetted(to, an);
     print_directions(to, x);
     print_scenarios(to, an);

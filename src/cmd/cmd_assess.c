@@ -29,27 +29,8 @@ static enum wf_status take_fit(struct work *w, struct wf_diag *d, struct wf_err 
     enum wf_status s = wf_assess_fit_read(w->options.from, &run->arena, d, &w->fit, e);
     run->options.args.n = s ? 0 : 1; /* without a fit there is no species */
     run->options.args.operand[0] = w->fit.species;
-    if (!s) s = wf_model_read(w->fit.model, &run->arena, &run->model, d, e);
-    return s ? s : wf_tree_asked_onto(&run->options.tree, false, &run->arena, &run->model, d, e);
-}
-
-/* Values of the fit in place of those of the species, and of the anchorage unless the options give one. */
-static enum wf_status put_fit(struct work *w, struct wf_err *e)
-{
-    struct wf_analyze_work *run = &w->run;
-    const struct wf_anchorage_asked *asked = &run->options.anchorage;
-    const struct wf_assess_fit *f = &w->fit;
-    struct wf_anchorage_request *q = WF_TAKE(&run->arena, 1, struct wf_anchorage_request);
-    if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
-    if (f->youngs.given) run->species->level[0].youngs_modulus = f->youngs;
-    if (!f->root.given) return WF_OK;
-    if (!WF_GIVEN(&run->options, root_stiffness))
-        run->request.solve.root_stiffness[0] = run->request.solve.root_stiffness[1] = f->root.value;
-    bool said =
-        asked->method || asked->curve || asked->table || !isnan(asked->pull_moment) || !isnan(asked->secant);
-    *q = (struct wf_anchorage_request){ .soil = asked->soil, .pull_moment = NAN, .secant = f->root.value };
-    if (!said) run->request.scenario.anchorage = q;
-    return WF_OK;
+    if (!s) s = wf_assess_fit_model(&w->fit, &run->options, &run->arena, &run->model, d, e);
+    return s ? s : wf_assess_list_read(&w->options, &run->arena, d, &w->list, e);
 }
 
 /* The card's model. A species that cannot be read is reported by the run. */
@@ -75,7 +56,12 @@ static enum wf_status take_direction(struct wf_analyze_work *run, struct wf_err 
     struct wf_analyze_request *q = &run->request;
     double worst = q->scenario.azimuth;
     q->search.bare = !run->folder && !w->options.from;
-    if (w->options.from && put_fit(w, e)) return e->code;
+    if (w->options.from) {
+        if (w->fit.youngs.given) run->species->level[0].youngs_modulus = w->fit.youngs;
+        if (wf_assess_fit_onto(&w->fit, &run->options, &run->arena, q, e)) return e->code;
+    }
+    w->list.fit = w->options.from ? &w->fit : NULL, w->list.whole = &run->model;
+    if (wf_assess_list_check(&w->list, run->species, e)) return e->code;
     if (wf_assess_is_round(&run->model, &q->scenario) || q->scenario.site) return WF_OK;
     w->directions = WF_ASSESS_DIRECTIONS;
     enum wf_status s = wf_assess_around(run->species, &run->model, &q->scenario, q->solver, &q->solve,
@@ -94,7 +80,8 @@ static enum wf_status take_assessment(struct wf_analyze_work *run, struct wf_ana
     if (wf_assess(an, &run->request.solve, w->options.required, &often, out, e)) return e->code;
     out->directions = w->directions, out->direction = w->direction;
     an->assessment = out;
-    if (wf_assess_list_run(&w->list, &w->options, run->species, &run->arena, out, e)) return e->code;
+    w->list.grown = an->tallness;
+    if (wf_assess_list_run(&w->list, &w->options, &run->arena, an, out, e)) return e->code;
     if (w->options.from && wf_assess_fit_say(&w->fit, an, &run->arena, out, e)) return e->code;
     if (run->options.args.quiet) return WF_OK;
     wf_print_assessment(stdout, an);

@@ -358,3 +358,56 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
     }
     return s ? s : wf_tree_asked_onto(t, tree != NULL, a, out, d, e);
 }
+
+/* ---- Roots that are lost ---- */
+
+/* A number with one of two units; without one it is of the second where that is NULL. */
+static bool read_part(const char *text, const char *unit, double factor, double *out)
+{
+    const char *end = wf_number_read(text, text + strlen(text), '.', out);
+    if (!end) return false;
+    end += strspn(end, " ");
+    if (!*end) return true;
+    *out *= factor;
+    return !strcmp(end, unit);
+}
+
+/* "from=30,to=120,share=60%", as a table of a card arrives, as "30:120:60%". */
+static void join_table(char *text)
+{
+    static const char *const key[] = { "from=", ",to=", ",share=" };
+    for (size_t k = 0; k < WF_COUNT(key); k++) {
+        char *at = strstr(text, key[k]);
+        if (!at || (k == 0 && at != text)) break;
+        if (k) *at++ = ':';
+        const char *rest = at + strlen(key[k]) - (k > 0);
+        memmove(at, rest, strlen(rest) + 1);
+    }
+}
+
+bool wf_root_loss_read(const char *text, struct wf_anchorage_request *q)
+{
+    char copy[80], *part[3] = { copy };
+    const double degree = WF_PI / 180;
+    double from, to;
+    size_t n = 1;
+    if (!text) return true;
+    if (strlen(text) >= sizeof copy) return false;
+    memcpy(copy, text, strlen(text) + 1);
+    join_table(copy);
+    for (char *p = copy; (p = strchr(p, ':')); part[n++] = p) {
+        if (n == WF_COUNT(part)) return false;
+        *p++ = '\0';
+        p += strspn(p, " ");
+    }
+    q->lost = 1, q->lost_half = WF_PI;
+    if (n != 2 && !read_part(part[n - 1], "%", 0.01, &q->lost)) return false;
+    if (n > 1) {
+        if (!read_part(part[0], "deg", 1, &from) || !read_part(part[1], "deg", 1, &to)) return false;
+        if (!(fabs(from) <= 360 && fabs(to) <= 360)) return false;
+        double width = to - from > 0 ? to - from : to - from + 360;
+        if (from == to || !(width > 0 && width <= 360)) return false;
+        q->lost_half = 0.5 * width * degree, q->lost_middle = (from + 0.5 * width) * degree;
+    }
+    return q->lost > 0 && q->lost <= (n > 1 ? 1 : 0.95);
+}

@@ -392,6 +392,10 @@ struct wf_tree_asked {
              "find the stress-free shape of a tree that stands under its own weight, and take that"),        \
         WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))
 
+/* "40 %" all around, "30deg:120deg" or "30deg:120deg:40 %", clockwise from north; NULL: nothing. Returned:
+ * whether it is one of them; in *q the loss, its sector as on a compass: middle and half the width [rad]. */
+bool wf_root_loss_read(const char *text, struct wf_anchorage_request *q);
+
 /* The joint of a measured tree that a word of --joint means. */
 enum wf_joint wf_joint_named(const char *word);
 /* Is exactly one tree specified? Returned: -1 to go on, 2 after saying what is missing. `file`: a tree file

@@ -1,37 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/print_measures.h"
 #include "cmd/option.h"
-#include "study/assessment.h"
-#include "study/brace.h"
 #include "study/guy.h"
-#include "study/peak.h"
-#include "study/removal.h"
-#include "study/verdict.h"
 #include <math.h>
+#include <string.h>
 
 static double degrees(double rad) { return rad * 180.0 / M_PI; }
-
-void wf_print_guys(FILE *to, const struct wf_analysis *an)
-{
-    const struct wf_at_speed *at = &an->at[an->n - 1];
-    const struct wf_break *loss = wf_verdict_of(an->breaks).loss;
-    for (size_t k = 0; k < an->scenario.guys; k++) {
-        const struct wf_guy *g = &an->scenario.guy[k];
-        wf_show(to, "  guy at %.4g m to an anchor %.4g m away towards %.0f deg: ", g->height, g->distance,
-                degrees(g->towards));
-        if (at->status)
-            wf_show(to, "no equilibrium in %.4g m/s", at->speed);
-        else
-            wf_show(to, at->tie[k] > 0 ? "%.3g kN in %.4g m/s" : "slack in %.4g m/s",
-                    at->tie[k] > 0 ? at->tie[k] / 1e3 : at->speed, at->speed);
-        if (loss && loss->critical.outcome == WF_CRITICAL_FOUND && !loss->at.status)
-            wf_show(to, ", %.3g kN in the critical wind", loss->at.tie[k] / 1e3);
-        wf_show(to, "\n");
-    }
-    if (an->scenario.guys)
-        wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
-                an->loads.ties ? "; a foot that turns more than was computed puts more on them" : "");
-}
 
 /* "3.2 kN", of a rod that pushes "3.2 kN pushing". */
 static void print_force(FILE *to, double force)
@@ -40,32 +14,50 @@ static void print_force(FILE *to, double force)
     if (force < 0) wf_show(to, " pushing");
 }
 
-void wf_print_braces(FILE *to, const struct wf_analysis *an)
+/* Its forces, to the end of the line. */
+static void print_hold(FILE *to, const struct wf_beside_hold *h)
 {
-    const struct wf_break *loss = wf_verdict_of(an->breaks).loss;
-    /* where branches have a peak of their own, the state in the critical wind is that of the stem's alone */
-    bool found = loss && loss->critical.outcome == WF_CRITICAL_FOUND && !loss->at.status &&
-                 !wf_peak_branches(an->peak);
-    for (size_t k = 0; k < an->scenario.braces; k++) {
-        const struct wf_brace *b = &an->scenario.brace[k];
-        const struct wf_at_speed *at = wf_brace_worst(an, k);
-        wf_show(to, b->rod ? "  rod from %s to %s: " : "  cable from %s to %s: ", b->end[0].name,
-                b->end[1].name);
-        if (!at)
-            wf_show(to, "no equilibrium in the given winds");
-        else if (!(fabs(at->link[k]) > 0))
-            wf_show(to, "slack in the given winds");
-        else {
-            print_force(to, at->link[k]);
-            wf_show(to, " at most, in %.4g m/s", at->speed);
-        }
-        if (found) wf_show(to, ", ");
-        if (found) print_force(to, loss->at.link[k]);
-        if (found) wf_show(to, " in the critical wind");
-        if (at && at->link[k] > 0 && isfinite(b->breaking))
-            wf_show(to, "; it breaks at %.4g kN: safety %.3g", b->breaking / 1e3, b->breaking / at->link[k]);
-        wf_show(to, "\n");
+    if (isnan(h->force))
+        wf_show(to, "no equilibrium in the given winds");
+    else if (!(fabs(h->force) > 0))
+        wf_show(to, "slack in the given winds");
+    else {
+        print_force(to, h->force);
+        wf_show(to, " at most, in %.4g m/s", h->speed);
+        if (isfinite(h->wind_from))
+            wf_show(to, " from %.0f deg", fmod(round(degrees(h->wind_from)) + 360, 360));
     }
+    if (isfinite(h->critical)) wf_show(to, ", ");
+    if (!(fabs(h->critical) > 0) && isfinite(h->critical)) wf_show(to, "slack");
+    if (fabs(h->critical) > 0) print_force(to, h->critical);
+    if (isfinite(h->critical))
+        wf_show(to, isfinite(h->wind_from) ? " in the critical wind of the weakest direction"
+                                           : " in the critical wind");
+    if (isfinite(h->safety)) wf_show(to, "; it breaks at %.4g kN: safety %.3g", h->breaking / 1e3, h->safety);
+    wf_show(to, "\n");
+}
+
+void wf_print_holds(FILE *to, const struct wf_analysis *an)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_err unsaid = { WF_OK, "" };
+    const struct wf_beside_hold *hold;
+    size_t n;
+    if (wf_beside_holds(an, &scratch, &n, &hold, &unsaid)) n = 0;
+    for (size_t k = 0; k < n; k++) {
+        const struct wf_guy *g = k < an->scenario.guys ? &an->scenario.guy[k] : NULL;
+        bool rod = !strcmp(hold[k].kind, "rod");
+        if (g)
+            wf_show(to, "  guy at %.4g m to an anchor %.4g m away towards %.0f deg: ", g->height, g->distance,
+                    degrees(g->towards));
+        else
+            wf_show(to, rod ? "  rod from %s to %s: " : "  cable from %s to %s: ", hold[k].from, hold[k].to);
+        print_hold(to, &hold[k]);
+    }
+    wf_arena_free(&scratch);
+    if (an->scenario.guys)
+        wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
+                an->loads.ties ? "; a foot that turns more than was computed puts more on them" : "");
     if (an->scenario.braces)
         wf_show(to, "    static forces in wind from this direction, at the peak of the load; how their ends "
                     "hold in the "
@@ -80,35 +72,71 @@ static void print_cell(FILE *to, double x)
         wf_show(to, "%12s", "-");
 }
 
-void wf_print_removals(FILE *to, const struct wf_analysis *an)
+void wf_print_name(FILE *to, const char *name, int width)
 {
-    const struct wf_removals *r = an->removals;
-    bool flagged = false;
+    bool longer = strlen(name) > (size_t)width;
+    if (longer)
+        wf_show(to, "  %s\n%*s", name, width, "");
+    else
+        wf_show(to, "%*s", width, name);
+}
+
+static void print_row(FILE *to, const struct wf_beside *x)
+{
+    wf_print_name(to, x->name ? x->name : "as it stands", 28);
+    wf_show(to, "%9.0f %%%s", 100 * x->cut, x->cut > WF_ASSESS_CUT_FLAGGED ? "!" : " ");
+    print_cell(to, x->drag / 1e3);
+    print_cell(to, x->weight / 1e3);
+    print_cell(to, x->base_moment / 1e3);
+    print_cell(to, x->safety);
+    print_cell(to, x->branches);
+    if (isfinite(x->searched))
+        wf_show(to, "%7s%-5.4g", "> ", x->searched);
+    else
+        print_cell(to, x->critical);
+    wf_show(to, "\n");
+}
+
+void wf_print_beside_holds(FILE *to, size_t n, const struct wf_beside *x)
+{
+    size_t holds = 0;
+    for (size_t k = 0; k < n; k++) holds += x[k].holds;
+    if (holds)
+        wf_show(to,
+                "  static forces of what holds it; how ends, anchors and fittings hold is not assessed\n");
+    for (size_t k = 0; k < n; k++)
+        for (size_t i = 0; i < x[k].holds; i++) {
+            const struct wf_beside_hold *h = &x[k].hold[i];
+            if (!i) wf_show(to, "    %s\n", x[k].name ? x[k].name : "as it stands");
+            wf_show(to, "      %s %s:%s: ", h->kind, h->from, h->to);
+            print_hold(to, h);
+        }
+}
+
+void wf_print_beside(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_besides *r = an->beside;
+    bool flagged = false, listed = false;
     if (!r) return;
-    wf_show(to, "\n  Without branches, at the peak of the load in %.4g m/s\n%28s%12s%12s%12s%12s%12s%12s\n",
-            an->at[an->n - 1].speed, "without", "crown gone", "drag kN", "weight kN", "moment kNm", "safety",
-            "lost at m/s");
+    wf_show(to,
+            "\n  Side by side, at the peak of the load in %.4g m/s where no other wind is named\n"
+            "%28s%12s%12s%12s%12s%12s%12s%12s\n",
+            r->item[0].speed, "what is done", "crown gone", "drag kN", "weight kN", "moment kNm", "safety",
+            "branches", "lost at m/s");
     for (size_t k = 0; k < r->n; k++) {
-        const struct wf_removal *x = &r->item[k];
-        bool much = x->cut > WF_ASSESS_CUT_FLAGGED;
-        flagged = flagged || much;
-        wf_show(to, "%28.28s%9.0f %%%s", x->what ? x->what->name : "as it stands", 100 * x->cut,
-                much ? "!" : " ");
-        print_cell(to, x->drag / 1e3);
-        print_cell(to, x->weight / 1e3);
-        print_cell(to, x->base_moment / 1e3);
-        print_cell(to, x->safety);
-        if (isfinite(x->searched))
-            wf_show(to, "%7s%-5.4g", "> ", x->searched);
-        else
-            print_cell(to, x->critical);
-        wf_show(to, "\n");
+        flagged = flagged || r->item[k].cut > WF_ASSESS_CUT_FLAGGED;
+        listed = listed || isfinite(r->item[k].branches);
+        print_row(to, &r->item[k]);
     }
     if (flagged)
         wf_show(to, "  !: more than %.0f %% of the crown: a loss that harms the tree\n",
                 100 * WF_ASSESS_CUT_FLAGGED);
+    if (listed)
+        wf_show(to, "  'branches': the least safety of those from %.3g cm on\n",
+                100 * an->search.branches_from);
     wf_show(
         to,
         "  '-': none found. What is left keeps its shape; the wound, new sprouts and more wind on what was "
         "sheltered are not computed\n");
+    wf_print_beside_holds(to, r->n, r->item);
 }

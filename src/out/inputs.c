@@ -7,10 +7,7 @@
 #include "grow/silhouette.h"
 #include "load/drag.h"
 #include "study/assessment.h"
-#include "study/brace.h"
-#include "study/guy.h"
 #include "study/peak.h"
-#include "study/removal.h"
 #include "study/wetted.h"
 #include "wind/category.h"
 #include "wind/climate.h"
@@ -392,65 +389,6 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, crown, "speed_high", law ? law->high : NAN, "m/s", "no limit is known");
     if (a->species->axis_drag.law) put_axis_drag(d, o, &a->loads.axis_drag->law);
     return o;
-}
-
-json_t *wf_part_guys(struct wf_doc *d, const struct wf_analysis *a)
-{
-    json_t *list = wf_doc_array(d);
-    const struct wf_at_speed *at = &a->at[a->n - 1];
-    for (size_t k = 0; k < a->scenario.guys; k++) {
-        const struct wf_guy *g = &a->scenario.guy[k];
-        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_quantity(d, o, "height", g->height, "m", NULL);
-        wf_doc_quantity(d, o, "distance", g->distance, "m", NULL);
-        wf_doc_quantity(d, o, "towards", g->towards, "rad", NULL);
-        wf_doc_quantity(d, o, "stiffness", g->stiffness, "N/m", NULL);
-        wf_doc_quantity(d, o, "pretension", g->pretension, "N", NULL);
-        wf_doc_quantity(d, o, "pull", at->status ? (double)NAN : at->tie[k], "N", "no equilibrium");
-    }
-    return list;
-}
-
-json_t *wf_part_braces(struct wf_doc *d, const struct wf_analysis *a)
-{
-    json_t *list = wf_doc_array(d);
-    for (size_t k = 0; k < a->scenario.braces; k++) {
-        const struct wf_brace *b = &a->scenario.brace[k];
-        const struct wf_at_speed *at = wf_brace_worst(a, k);
-        double force = at ? at->link[k] : (double)NAN;
-        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, o, "name", b->rod ? "rod" : "cable");
-        wf_doc_text(d, o, "from_point", b->end[0].name);
-        wf_doc_text(d, o, "to_point", b->end[1].name);
-        wf_doc_quantity(d, o, "stiffness", b->stiffness, "N/m", NULL);
-        wf_doc_quantity(d, o, "pretension", b->pretension, "N", NULL);
-        wf_doc_quantity(d, o, "slack", b->slack, "m", NULL);
-        wf_doc_quantity(d, o, "pull", force, "N", "no equilibrium");
-        wf_doc_quantity(d, o, "speed", at ? at->speed : (double)NAN, "m/s", "no equilibrium");
-        wf_doc_quantity(d, o, "breaking", b->breaking, "N", "not given");
-        wf_doc_quantity(d, o, "safety", force > 0 ? b->breaking / force : (double)NAN, "1",
-                        "not assessed: no breaking load is given, or it does not pull");
-    }
-    return list;
-}
-
-json_t *wf_part_removals(struct wf_doc *d, const struct wf_removals *r)
-{
-    json_t *list = wf_doc_array(d);
-    for (size_t k = 0; k < r->n; k++) {
-        const struct wf_removal *x = &r->item[k];
-        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, o, "name", x->what ? x->what->name : "");
-        wf_doc_number(d, o, "cut", x->cut);
-        wf_doc_flag(d, o, "flagged", x->cut > WF_ASSESS_CUT_FLAGGED);
-        wf_doc_quantity(d, o, "drag", x->drag, "N", "no equilibrium");
-        wf_doc_quantity(d, o, "weight", x->weight, "N", "no equilibrium");
-        wf_doc_quantity(d, o, "base_moment", x->base_moment, "N m", "no equilibrium");
-        wf_doc_quantity(d, o, "safety", x->safety, "1", "not assessed, or no equilibrium");
-        wf_doc_quantity(d, o, "critical_speed", x->critical, "m/s", "not found");
-        wf_doc_quantity(d, o, "searched_to", x->searched, "m/s", "");
-    }
-    return list;
 }
 
 json_t *wf_part_wetted(struct wf_doc *d, const struct wf_wetted *w)

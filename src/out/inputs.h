@@ -16,11 +16,6 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a);
 json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at);
 json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at);
 struct wf_wetted;
-/* Cables that hold a tree, with their forces in the strongest given wind. */
-json_t *wf_part_guys(struct wf_doc *d, const struct wf_analysis *a);
-json_t *wf_part_braces(struct wf_doc *d, const struct wf_analysis *a);
-/* The tree beside itself without some branches. */
-json_t *wf_part_removals(struct wf_doc *d, const struct wf_removals *r);
 /* Dry and wet: pairs of numbers; null where there is none. */
 json_t *wf_part_wetted(struct wf_doc *d, const struct wf_wetted *w);
 #endif

@@ -27,9 +27,11 @@ static const struct {
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
     { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
-            "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
+            "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree "
+            "applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "guys braces record removals union_classes largest_unions cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+    { LIST, "guys braces record removals scenarios holds union_classes largest_unions cavities wall_limits "
+            "least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
@@ -39,7 +41,8 @@ static const struct {
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
-    { NUMBER, "aspect_ratio ratio_from at_m from_m to_m wood_radius_mm thinnest_wall_mm strength_loss worst_towards_deg "
+    { NUMBER, "aspect_ratio ratio_from at_m from_m to_m wood_radius_mm thinnest_wall_mm strength_loss "
+              "worst_towards_deg "
               "strength_loss_with_wind stiffness_loss safety_basic safety_present wall_share wall_safety "
               "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
               "bootstrap_low bound_high bound_low cell_m chi_square coherence_error components "
@@ -56,18 +59,19 @@ static const struct {
               "euler_limit_s fallen_at_s "
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
-              "beta searched_to_gust_m_s critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s low_gust_m_s low_m_s "
+              "beta searched_to_gust_m_s critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s "
+              "low_gust_m_s low_m_s "
               "median_m_s middle_gust_m_s middle_m_s searched_to_m_s "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
               "exceedance_a_year exceedance_over_life life_years return_period_low return_period_high "
               "required cut least_reduction least_reduction_cut "
-      "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
+              "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
               "frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
-      "distance towards stiffness pretension pull slack breaking "
+      "distance towards stiffness pretension pull pull_critical slack breaking branch_safety "
       "unions above branch branch_diameter above_diameter below_diameter "
       "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
@@ -88,16 +92,19 @@ static const struct {
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-      "weight_stress node_spacing strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
-      "tip_deflection tip_deflection_share tip_share top top_deflection topex_deg utilisation weight wind_factor "
+      "weight_stress node_spacing strongest_10_min_over_hourly sweep sweep_speed_high taper_power "
+      "temperature tip_angle "
+      "tip_deflection tip_deflection_share tip_share top top_deflection topex_deg utilisation weight "
+      "wind_factor "
       "wind_profile" },
     { TEXT,
       "word return_period_bound return_period_by exceedance_a_year_text exceedance_over_life_text "
-      "wants form from_point to_point of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "wants form from_point to_point of stepping term air_density_from averaging_law beaufort beaufort_text "
+      "bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
-      "reason reference message species_zh role scope script season sensor sha256 source species_name status "
+      "reason reference message model_name species_zh role scope script season sensor sha256 source species_name status "
       "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from "
       "site_kind design safety_criterion "
       "wind_terrain" },

@@ -41,7 +41,7 @@ static const struct kind kinds[] = {
     { "windfirm-rose", 1, "rose", NULL, NULL },
     { "windfirm-shelter", 1, "shelter", NULL, NULL },
     { "windfirm-terrain", 1, "terrain", NULL, NULL },
-    { "windfirm-rain", 1, "rain", NULL, NULL },
+    { "windfirm-rain", 1, "rain", NULL, "rain.js" },
     { "windfirm-modes", 1, "modes", NULL, NULL },
     { "windfirm-fragility", 1, "fragility", NULL, NULL },
     { "windfirm-extremes", 1, "extremes", NULL, NULL },
@@ -357,6 +357,8 @@ static enum wf_status draw_report(struct job *j)
         g[n++] = (struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 };
     if (json_is_object(json_object_get(first, "directions")))
         g[n++] = (struct wf_figure){ "directions", "directions", 0 };
+    if (json_array_size(json_object_get(first, "scenarios")))
+        g[n++] = (struct wf_figure){ "scenarios", "scenarios", 0 };
     if (tree && wf_figures_say(j->folder, "tree", j->units, j->tongue, j->e)) return j->e->code;
     if (!write_plot_data(j->folder, j->document, j->units, &why)) {
         if (tree && !lines) code = draw_tree(j);

@@ -2,6 +2,7 @@
 #include "out/results.h"
 #include "base/file.h"
 #include "base/num.h"
+#include "out/beside_part.h"
 #include "out/fragility.h"
 #include "out/inputs.h"
 #include "out/job.h"
@@ -286,7 +287,9 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     if (a->unions) wf_doc_put(d, o, "unions", wf_part_unions(d, a));
     if (a->scenario.guys) wf_doc_put(d, o, "guys", wf_part_guys(d, a));
     if (a->scenario.braces) wf_doc_put(d, o, "braces", wf_part_braces(d, a));
-    if (a->removals) wf_doc_put(d, o, "removals", wf_part_removals(d, a->removals));
+    if (a->beside) wf_doc_put(d, o, "scenarios", wf_part_beside(d, a->beside->n, a->beside->item));
+    json_t *removals = a->beside ? wf_part_removals(d, a->beside) : NULL;
+    if (removals) wf_doc_put(d, o, "removals", removals);
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
     if (a->winter) wf_doc_put(d, o, "winter", wf_part_wetted(d, a->winter));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");

@@ -2,6 +2,7 @@
 #include "out/tables.h"
 #include "base/num.h"
 #include "data/species.h"
+#include "out/beside_part.h"
 #include "out/folder.h"
 #include "study/directions.h"
 #include "study/peak.h"
@@ -302,6 +303,39 @@ static size_t write_unions(const struct wf_run *run, FILE *f)
     return rows;
 }
 
+static size_t write_besides(const struct wf_run *run, FILE *f)
+{
+    size_t rows = 0;
+    fputs(WF_BESIDES_HEAD, f);
+    for (size_t i = 0; i < run->n; i++)
+        if (run->analysis[i].beside) rows += wf_besides_rows(f, i + 1, run->analysis[i].beside);
+    return rows;
+}
+
+static bool besides_made(const struct wf_run *run)
+{
+    bool any = false;
+    for (size_t i = 0; i < run->n; i++) any = any || run->analysis[i].beside;
+    return any;
+}
+
+/* Rows of what holds trees; f NULL: counted alone. */
+static size_t hold_rows(const struct wf_run *run, FILE *f)
+{
+    size_t rows = 0;
+    for (size_t i = 0; i < run->n; i++)
+        if (run->analysis[i].beside) rows += wf_holds_rows(f, i + 1, run->analysis[i].beside);
+    return rows;
+}
+
+static size_t write_holds(const struct wf_run *run, FILE *f)
+{
+    fputs(WF_HOLDS_HEAD, f);
+    return hold_rows(run, f);
+}
+
+static bool holds_made(const struct wf_run *run) { return hold_rows(run, NULL) > 0; }
+
 const struct wf_table wf_tables[] = {
     { "tables/summary.csv", "totals of each tree at each wind speed", write_summary, NULL },
     { "tables/segments.csv",
@@ -315,6 +349,10 @@ const struct wf_table wf_tables[] = {
       write_directions, directions_made },
     { "tables/unions.csv", "unions of branches and forks, the largest aspect ratio first", write_unions,
       unions_made },
+    { "tables/scenarios.csv", "the tree as it stands and with something changed, in the strongest given wind",
+      write_besides, besides_made },
+    { "tables/scenario_forces.csv", "forces of cables, rods and guys in the scenarios", write_holds,
+      holds_made },
     { NULL, NULL, NULL, NULL },
 };
 

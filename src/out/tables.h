@@ -26,7 +26,7 @@ struct wf_run {
     size_t inputs;
     const struct wf_input_file *input;
     const struct wf_job *job; /* NULL: none */
-    bool random; /* random numbers were drawn, from `seed` */
+    bool random;              /* random numbers were drawn, from `seed` */
     uint64_t seed;
 };
 
@@ -48,5 +48,5 @@ struct wf_table {
     bool (*made)(const struct wf_run *run); /* does the run have it; NULL: always */
 };
 extern const struct wf_table wf_tables[]; /* ends at name == NULL */
-enum { WF_TABLES = 6 };
+enum { WF_TABLES = 8 };
 #endif

@@ -2,6 +2,7 @@
 #include "out/verdict_part.h"
 #include "data/model.h"
 #include "fail/anchorage.h"
+#include "out/beside_part.h"
 #include "out/extremes.h"
 #include "out/tables.h"
 #include "study/assessment.h"
@@ -224,32 +225,9 @@ static json_t *reasons_part(struct wf_doc *d, unsigned because, unsigned lost_by
     return list;
 }
 
-static void put_around(struct wf_doc *d, json_t *o, size_t n, const struct wf_assess_direction *x)
-{
-    json_t *list = wf_doc_put(d, o, "directions", wf_doc_array(d));
-    for (size_t k = 0; k < n; k++) {
-        json_t *at = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_quantity(d, at, "from", x[k].from, "rad", NULL);
-        wf_doc_quantity(d, at, "breakage", x[k].breakage, "1", "not assessed");
-        wf_doc_quantity(d, at, "overturning", x[k].overturning, "1", "not assessed");
-    }
-}
-
 static void put_scenarios(struct wf_doc *d, json_t *o, const struct wf_assessment *x)
 {
-    json_t *list = wf_doc_put(d, o, "scenarios", wf_doc_array(d));
-    for (size_t k = 0; k < x->scenarios; k++) {
-        const struct wf_assess_scenario *q = &x->scenario[k];
-        json_t *at = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, at, "name", q->name);
-        wf_doc_number(d, at, "cut", q->cut);
-        wf_doc_flag(d, at, "flagged", q->cut > WF_ASSESS_CUT_FLAGGED);
-        wf_doc_quantity(d, at, "breakage", q->breakage, "1", "not assessed");
-        wf_doc_quantity(d, at, "overturning", q->overturning, "1", "not assessed");
-        wf_doc_quantity(d, at, "critical_speed", q->critical, "m/s", "not found");
-        wf_doc_text(d, at, "word", wf_assess_rows[q->word].name);
-        put_around(d, at, q->directions, q->direction);
-    }
+    wf_doc_put(d, o, "scenarios", wf_part_beside(d, x->scenarios, x->scenario));
     wf_doc_number(d, o, "least_reduction", x->reduction);
     wf_doc_number(d, o, "least_reduction_cut", isfinite(x->reduction) ? x->reduction_cut : (double)NAN);
 }
@@ -299,7 +277,7 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
                 : x->years_least ? "less"
                                  : "equal");
     put_often(d, o, x);
-    put_around(d, o, x->directions, x->direction);
+    wf_doc_put(d, o, "directions", wf_part_around(d, x->directions, x->direction));
     put_scenarios(d, o, x);
     if (x->record) wf_doc_warnings(d, wf_doc_put(d, o, "record", wf_doc_array(d)), x->record);
     return o;

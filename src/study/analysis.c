@@ -11,6 +11,7 @@
 #include "load/winter.h"
 #include "study/brace.h"
 #include "study/guy.h"
+#include "study/held.h"
 #include "study/node.h"
 #include "study/removal.h"
 #include "study/rest.h"
@@ -23,31 +24,41 @@
 
 /* ---- Set up ---- */
 
+/* The crown as seen from above, on which snow lies [m2]. */
+static double snowed_on(const struct wf_analysis *an)
+{
+    double width = wf_silhouette_size(an->model, wf_tree_height(&an->tree)).breadth;
+    return wf_crown_projection(&an->tree, isnan(width) ? 0 : width);
+}
+
+/* Can snow lie on it? Asked before the tree's state at rest is computed. */
+static enum wf_status check_snow(const struct wf_analysis *an, struct wf_err *e)
+{
+    if (!(an->scenario.snow > 0)) return WF_OK;
+    if (an->model->season == WF_LEAF_OFF || wf_crown_projection(&an->tree, 1) == 0)
+        return wf_fail(e, WF_EINPUT,
+                       "%s: snow lies on a crown in leaf; the tree has no leaves. Ice can be on bare axes",
+                       an->model->name);
+    if (snowed_on(an) > 0) return WF_OK;
+    return wf_fail(e, WF_EINPUT,
+                   "%s: how much snow lies on the crown follows from its width, which is not known; "
+                   "give --crown-width with --crown-depth",
+                   an->model->name);
+}
+
 /* Snow and ice, which came after the tree was drawn. */
-static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct wf_err *e)
+static void winter(struct wf_analysis *an, struct wf_diag *d)
 {
     static const char *const together =
         "The given winds act together with it; a wind in which it stays on the tree is less than a design "
         "wind (snow falls off above about 9 m/s)";
-    if (!(an->scenario.snow > 0) && !(an->scenario.ice > 0)) return WF_OK;
-    double width = wf_silhouette_size(an->model, wf_tree_height(&an->tree)).breadth;
-    double area = wf_crown_projection(&an->tree, isnan(width) ? 0 : width), mass = area * an->scenario.snow;
+    double area = snowed_on(an), mass = area * an->scenario.snow;
     if (an->scenario.snow > 0) {
-        if (an->model->season == WF_LEAF_OFF || wf_crown_projection(&an->tree, 1) == 0)
-            return wf_fail(
-                e, WF_EINPUT,
-                "%s: snow lies on a crown in leaf; the tree has no leaves. Ice can be on bare axes",
-                an->model->name);
-        if (!(area > 0))
-            return wf_fail(e, WF_EINPUT,
-                           "%s: how much snow lies on the crown follows from its width, which is not known; "
-                           "give --crown-width with --crown-depth",
-                           an->model->name);
         wf_snow_onto(&an->tree, mass);
         wf_diag_warn(d, "snow", "%s: %.4g kg of snow, %.3g kg/m2 on the crown's %.4g m2 seen from above. %s",
                      an->model->name, mass, an->scenario.snow, area, together);
     }
-    if (!(an->scenario.ice > 0)) return WF_OK;
+    if (!(an->scenario.ice > 0)) return;
     mass = wf_ice_onto(&an->tree, an->scenario.ice);
     wf_diag_warn(
         d, "ice",
@@ -61,7 +72,6 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
             "load and the sway's period are too low. A tree with branches gives them",
             an->model->name,
             wf_tree_leaf_area(&an->tree) > 0 ? "" : ", nor on leaves, whose area is not known");
-    return WF_OK;
 }
 
 /* Rain on the leaves. A crown in leaf that is given by its outline or width has as many as its frontal area
@@ -113,8 +123,8 @@ static enum wf_status diaphragms(struct wf_analysis *an, struct wf_err *e)
         an->tree.node_spacing, an->species->name);
 }
 
-enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_analysis_draw(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_err *e)
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
     if (s || (s = wf_tree_check(&an->tree, d, e)) || (s = wf_removal_onto(an, a, e))) return s;
@@ -125,12 +135,19 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     if (!s) s = wf_braces_onto(an, a, e);
     if (!s) s = anchor(an, a, e);
     if (!s) s = diaphragms(an, e);
+    return s ? s : check_snow(an, e);
+}
+
+enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    enum wf_status s = wf_analysis_draw(an, a, d, e);
     if (s) return s;
     wf_analysis_turned(an);
     an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
     s = wf_rest_set_up(an, o, a, d, e);
     if (!s) rain(an, d); /* it was drawn dry */
-    if (!s) s = winter(an, d, e);
+    if (!s) winter(an, d);
     return s;
 }
 
@@ -246,9 +263,13 @@ static enum wf_status analyze_bare(struct wf_analysis *an, const struct wf_solve
     if (!nodes) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
     const struct wf_node *node;
     enum wf_status s = WF_OK;
-    for (size_t k = 0; k < an->n && !s; k++)
-        if (!(s = wf_nodes_solve(nodes, o, speeds[k], &node, e))) an->at[k] = node->at;
+    for (size_t k = 0; k < an->n && !s; k++) {
+        if ((s = wf_nodes_solve(nodes, o, speeds[k], &node, e))) continue;
+        an->at[k] = node->at;
+        if (!node->at.status) an->branch_safety = wf_node_branch_safety(an, node);
+    }
     if (!s) s = wf_analysis_breaks(an, o, nodes, an->breaks, e);
+    if (!s) s = wf_held_find(an, o, nodes, e);
     wf_nodes_close(nodes);
     return s;
 }
@@ -274,9 +295,14 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     enum wf_status s = check_call(sc, &q, solver, o, speeds, n, e);
     if (s) return s;
     for (size_t k = 0; k < n; k++) q.speed_max = fmax(q.speed_max, q.beyond * speeds[k]);
-    *out = (struct wf_analysis){
-        .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
-    };
+    *out = (struct wf_analysis){ .species = sp,
+                                 .model = m,
+                                 .solver = solver,
+                                 .scenario = *sc,
+                                 .search = q,
+                                 .n = n,
+                                 .diag = d,
+                                 .branch_safety = NAN };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = list_unions(out, a, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
@@ -302,6 +328,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         s = wf_fail(&why, WF_ENOMEM, "not enough memory for the search of the critical speed");
     wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: critical wind speed", sp->name);
     if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
+    if (!s) s = wf_held_find(out, o, nodes, &why);
     searched = !s;
     wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", sp->name);
     if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);

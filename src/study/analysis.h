@@ -8,6 +8,12 @@
 extern "C" {
 #endif
 
+/* The first part of the next: grow the tree, take off what the scenario removes, make its wind field and
+ * loads, and put on what holds it. Given: *an with species, model and scenario. Returned: tree, tallness,
+ * wind, loads and anchorage of *an. Errors: also of what cannot be done to this tree, such as snow on one
+ * without leaves. */
+enum wf_status wf_analysis_draw(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_err *e);
 /* Grow the tree, make its wind field and loads, and find its state at rest (study/rest.h). Given: *an with
  * species, model, scenario and solver; options of the solutions (NULL: defaults). Returned: tree, tallness,
  * wind (at speed 0) and loads of *an. */

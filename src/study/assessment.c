@@ -70,8 +70,8 @@ bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc)
     return round;
 }
 
-/* One direction of an analysis that is set up; its sway is that along this wind. Safeties are of the stem: the
- * state at the peak of the branches' load is not computed. */
+/* One direction of an analysis that is set up; its sway is that along this wind. Safeties are of the stem:
+ * the state at the peak of the branches' load is not computed. */
 static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve_options *o, double speed,
                            double azimuth, struct wf_at_speed *at, struct wf_err *e)
 {
@@ -103,9 +103,11 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
         struct wf_at_speed at;
         double azimuth = m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS;
         if ((s = turn(&an, o, speed, azimuth, &at, e))) break;
-        out[k] = (struct wf_assess_direction){ wf_direction_from(&place, azimuth),
-                                               part_at(&an.tree, &at, false).safety,
-                                               part_at(&an.tree, &at, true).safety };
+        out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
+                                               .breakage = part_at(&an.tree, &at, false).safety,
+                                               .overturning = part_at(&an.tree, &at, true).safety };
+        for (size_t i = 0; i < an.loads.ties; i++) out[k].tie[i] = at.status ? (double)NAN : at.tie[i];
+        for (size_t i = 0; i < an.loads.links; i++) out[k].link[i] = at.status ? (double)NAN : at.link[i];
         double own = fmin(out[k].breakage, out[k].overturning);
         if (own < least) least = own, *worst = azimuth;
     }

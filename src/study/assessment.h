@@ -48,18 +48,12 @@ struct wf_assess_part {
 struct wf_assess_direction {
     double from;                  /* where the wind comes from, clockwise from north [rad] */
     double breakage, overturning; /* safeties [-] */
+    /* of what holds the tree, at the peak of the load on the stem, as struct wf_at_speed; NAN: no equilibrium
+     * [N] */
+    double tie[WF_TIES_MAX], link[WF_LINKS_MAX];
 };
 
-/* The tree with something changed, in the same wind unless that is changed. */
-struct wf_assess_scenario {
-    const char *name;
-    double cut;                             /* share of the crown's frontal area that is gone [-] */
-    double breakage, overturning, critical; /* safeties [-], NAN: not assessed; [m/s], NAN: not found; in the
-                                               weakest direction */
-    enum wf_assess_word word;               /* without an interval */
-    size_t directions;                      /* 0: the same from all */
-    const struct wf_assess_direction *direction;
-};
+struct wf_beside; /* study/beside.h */
 /* A crown cut above this share is flagged. */
 #define WF_ASSESS_CUT_FLAGGED 0.3
 
@@ -83,7 +77,7 @@ struct wf_assessment {
     size_t directions;      /* 0: the same from all */
     const struct wf_assess_direction *direction;
     size_t scenarios;
-    const struct wf_assess_scenario *scenario;
+    const struct wf_beside *scenario; /* the tree with something changed, in the same wind unless that is */
     double reduction;     /* least share of the crown's height and width off that makes it safe enough [-];
                              INFINITY: none up to 60 %; NAN: not searched */
     double reduction_cut; /* share of its frontal area that is gone then [-] */

@@ -383,3 +383,18 @@ enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options 
     if (s || (*out)->state[WF_NODE_STEM].at.status) return s;
     return wf_nodes_solve_part(k, o, speed, WF_NODE_BRANCHES, out, e);
 }
+
+double wf_node_branch_safety(const struct wf_analysis *an, const struct wf_node *node)
+{
+    const struct wf_tree *t = &an->tree;
+    double most = 0;
+    for (int c = 0; c < WF_CRITERIA && !node->at.status; c++) {
+        const float *utilisation = node->column[c].value;
+        if (!wf_criteria[c].loses_tree || !utilisation) continue;
+        for (size_t i = 0; i < t->n; i++)
+            if (2 * fmax(t->r0[i], t->r1[i]) >= an->search.branches_from &&
+                wf_scope_holds(WF_SCOPE_BRANCHES, t, i))
+                most = fmax(most, (double)utilisation[i]);
+    }
+    return most > 0 ? 1 / most : (double)NAN;
+}

@@ -3,7 +3,7 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "data/model.h"
-#include "grow/grow.h"
+#include "load/interception.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,6 +31,7 @@ static enum wf_status read_removal(char *text, struct wf_arena *a, struct wf_rem
     enum wf_status s = WF_OK;
     *out = (struct wf_removed){ .name = wf_arena_text(a, text) };
     if (!out->name) return wf_fail(e, WF_ENOMEM, "not enough memory for a removal");
+    for (char *p = text; (p = strchr(p, ';'));) *p = '+';
     for (char *next; text && !s; text = next) {
         if ((next = strchr(text, '+'))) *next++ = '\0';
         s = out->n < WF_REMOVED_PARTS
@@ -88,6 +89,28 @@ static enum wf_status mark(const struct wf_analysis *an, const struct wf_removed
     return WF_OK;
 }
 
+/* Leaves; where there are none the crown's sail, else what branches show from the side. */
+enum crown { CROWN_LEAVES, CROWN_SAIL, CROWN_WOOD, CROWNS };
+static double crown_of(const struct wf_tree *t, enum crown by)
+{
+    double sum = 0;
+    if (by == CROWN_LEAVES) return wf_tree_leaf_area(t);
+    for (size_t i = 0; i < t->n; i++) {
+        double sail = 0.5 * (t->sail0[i] + t->sail1[i]), wood = t->level[i] > 0 ? t->r0[i] + t->r1[i] : 0;
+        sum += (by == CROWN_SAIL ? sail : wood) * wf_tree_length(t, i);
+    }
+    return sum;
+}
+
+static double share_gone(const struct wf_tree *whole, const struct wf_tree *left)
+{
+    for (int by = 0; by < CROWNS; by++) {
+        double all = crown_of(whole, (enum crown)by);
+        if (all > 0) return 1 - crown_of(left, (enum crown)by) / all;
+    }
+    return 0;
+}
+
 enum wf_status wf_removal_onto(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_tree *t = &an->tree, out;
@@ -106,20 +129,8 @@ enum wf_status wf_removal_onto(struct wf_analysis *an, struct wf_arena *a, struc
         out.parent[at] = t->parent[i] < 0 ? -1 : to[t->parent[i]];
         if (t->mass1) out.mass1[at] = t->mass1[i];
     }
-    if (!s) *t = out;
-    return s;
-}
-
-enum wf_status wf_removals_check(const struct wf_species *sp, const struct wf_model *m,
-                                 const struct wf_removed *what, size_t n, struct wf_err *e)
-{
-    struct wf_arena scratch = { 0 };
-    struct wf_diag unsaid = { .arena = &scratch };
-    struct wf_analysis an = { .species = sp, .model = m };
-    enum wf_status s = wf_grow(m, sp, &scratch, &an.tree, &unsaid, e);
-    bool *gone = s ? NULL : WF_TAKE(&scratch, an.tree.n, bool);
-    if (!s && !gone) s = wf_fail(e, WF_ENOMEM, "not enough memory for a removal");
-    for (size_t k = 0; k < n && !s; k++) s = mark(&an, &what[k], gone, e);
-    wf_arena_free(&scratch);
-    return s;
+    if (s) return s;
+    an->cut = share_gone(t, &out);
+    *t = out;
+    return WF_OK;
 }

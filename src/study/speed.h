@@ -103,11 +103,16 @@ struct wf_sway_modes;
 struct wf_interval;
 struct wf_assessment;
 struct wf_unions;
-struct wf_removals;
+struct wf_besides;
 /* How a sample of a tree differs from the tree as measured. */
 struct wf_misread {
     double radius, height; /* factors on all its radii; on all its lengths [-] */
     bool *doubtful;        /* rows in doubt of the tree as measured (struct wf_tree), also of the sample */
+};
+/* Forces of what holds the tree in the wind in which it is lost; NAN: there is none, or they are not known.
+ */
+struct wf_held {
+    double tie[WF_TIES_MAX], link[WF_LINKS_MAX]; /* as struct wf_at_speed [N] */
 };
 struct wf_analysis {
     const struct wf_species *species;
@@ -137,9 +142,13 @@ struct wf_analysis {
     const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
     const struct wf_assessment *assessment; /* study/assessment.h; NULL: not specified */
     const struct wf_unions *unions;         /* where search.unions says so (study/unions.h); else NULL */
-    const struct wf_removals *removals;     /* beside the tree without some branches; NULL: none */
-    double tallness;                        /* height [m] */
-    struct wf_diag *diag;                   /* validity warnings                               */
+    const struct wf_besides *beside;        /* beside itself with something changed; NULL: nothing is */
+    double cut;                             /* share of the crown that the scenario's removal took [-] */
+    double branch_safety; /* `bare`: the least of the listed branches in the strongest given wind that has a
+                             solution [-]; NAN: none */
+    struct wf_held held;
+    double tallness;      /* height [m] */
+    struct wf_diag *diag; /* validity warnings                               */
 };
 
 /* Given: an analysis whose tree, wind, loads, species, solver are set; a speed at the reference height [m/s].
