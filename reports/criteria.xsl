@@ -60,13 +60,17 @@
   </xsl:choose>
 </xsl:template>
 
-<!-- A row; `k`: which of the winds. The context is an entry of criteria. -->
+<!-- A row; `k`: which of the winds; `first`: is it the first of its tree. The context is an entry of criteria. -->
 <xsl:template name="criterion-row">
-  <xsl:param name="k"/>
+  <xsl:param name="k"/><xsl:param name="first"/>
   <xsl:variable name="at" select="winds/item[$k]"/>
   <tr>
     <xsl:if test="count($trees) &gt; 1">
-      <td><xsl:call-template name="name"><xsl:with-param name="tree" select="../.."/></xsl:call-template></td>
+      <td>
+        <xsl:if test="$first">
+          <xsl:call-template name="name"><xsl:with-param name="tree" select="../.."/></xsl:call-template>
+        </xsl:if>
+      </td>
     </xsl:if>
     <td><xsl:call-template name="criterion-name"/></td>
     <xsl:call-template name="cell">
@@ -186,13 +190,15 @@
             c.bears:MPa</xsl:with-param>
         </xsl:call-template>
       </tr></thead>
-      <tbody>
-        <xsl:for-each select="$trees">
+      <xsl:for-each select="$trees">
+        <tbody>
           <xsl:for-each select="criteria/item[scope = 'stem' and wants != '' and outcome != 'no-strength']">
-            <xsl:call-template name="criterion-row"><xsl:with-param name="k" select="$k"/></xsl:call-template>
+            <xsl:call-template name="criterion-row">
+              <xsl:with-param name="k" select="$k"/><xsl:with-param name="first" select="position() = 1"/>
+            </xsl:call-template>
           </xsl:for-each>
-        </xsl:for-each>
-      </tbody>
+        </tbody>
+      </xsl:for-each>
     </table>
     <p class="note">
       <xsl:call-template name="say"><xsl:with-param name="id">t.criteria.rule</xsl:with-param></xsl:call-template>

@@ -11,6 +11,10 @@
   <xsl:call-template name="base-name"><xsl:with-param name="path" select="$r/source"/></xsl:call-template>
 </xsl:template>
 
+<xsl:variable name="years">
+  <xsl:call-template name="say"><xsl:with-param name="id">unit.years</xsl:with-param></xsl:call-template>
+</xsl:variable>
+
 <xsl:template name="ex-levels">
   <table class="data">
     <xsl:call-template name="caption">
@@ -20,7 +24,7 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.years:a;c.mean10:m/s;c.gust3:m/s</xsl:with-param>
+          <xsl:with-param name="of" select="concat('c.years:', $years, ';c.mean10:m/s;c.gust3:m/s')"/>
         </xsl:call-template>
         <xsl:if test="$r/years &gt; 0">
           <xsl:call-template name="heads"><xsl:with-param name="of">c.low5:m/s;c.high95:m/s</xsl:with-param></xsl:call-template>
@@ -62,8 +66,16 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.mean10:m/s;c.gust3:m/s;c.chance:–;c.years:a;c.chance.life:–</xsl:with-param>
+          <xsl:with-param name="of" select="concat('c.mean10:m/s;c.gust3:m/s;c.chance:–;c.years:', $years)"/>
         </xsl:call-template>
+        <th class="r">
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">c.chance.life</xsl:with-param>
+            <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$r/life_years"/></xsl:call-template>
+            </xsl:with-param>
+          </xsl:call-template>
+          <span class="u">–&#160;</span>
+        </th>
       </tr>
     </thead>
     <tbody>

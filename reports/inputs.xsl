@@ -52,7 +52,9 @@
 </xsl:template>
 
 <xsl:template name="value-note">
-  <xsl:if test="note != ''"><span class="why"><xsl:value-of select="note"/></span></xsl:if>
+  <xsl:if test="note != ''">
+    <span class="why"><xsl:call-template name="fine"><xsl:with-param name="text" select="note"/></xsl:call-template></span>
+  </xsl:if>
 </xsl:template>
 
 <!-- A row of one value. What is not given and has no default but a law is said in words. -->
@@ -202,7 +204,11 @@
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.model</xsl:with-param>
       <xsl:with-param name="text">
-        <b><xsl:value-of select="name"/></b><xsl:if test="note != ''">. <xsl:value-of select="note"/></xsl:if>
+        <b><xsl:value-of select="name"/></b><xsl:if test="note != ''">
+          <xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template>
+          <xsl:value-of select="$gap"/>
+          <xsl:call-template name="fine"><xsl:with-param name="text" select="note"/></xsl:call-template>
+        </xsl:if>
       </xsl:with-param>
     </xsl:call-template>
     <xsl:if test="source != ''">

@@ -146,7 +146,8 @@
       </tr>
     </xsl:for-each>
     <xsl:call-template name="block-row"><xsl:with-param name="id">md.source</xsl:with-param>
-      <xsl:with-param name="text" select="string(source)"/></xsl:call-template>
+      <xsl:with-param name="text"><xsl:call-template name="fine"><xsl:with-param name="text" select="source"/></xsl:call-template>
+      </xsl:with-param></xsl:call-template>
   </table>
 </xsl:template>
 

@@ -239,7 +239,29 @@
     <xsl:when test="$means != ''">
       <xsl:value-of select="$means"/><span class="why"><xsl:value-of select="text"/></span>
     </xsl:when>
-    <xsl:otherwise><xsl:value-of select="text"/></xsl:otherwise>
+    <xsl:otherwise>
+      <xsl:call-template name="fine">
+        <xsl:with-param name="text">
+          <xsl:call-template name="without-folders"><xsl:with-param name="text" select="text"/></xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- A message about a file, "FOLDERS/FILE: ...", names the file alone: a page is handed on. -->
+<xsl:template name="without-folders">
+  <xsl:param name="text"/>
+  <xsl:variable name="colon">
+    <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+  </xsl:variable>
+  <xsl:variable name="first" select="substring-before($text, $colon)"/>
+  <xsl:choose>
+    <xsl:when test="contains($first, '/') and not(contains($first, ' '))">
+      <xsl:call-template name="base-name"><xsl:with-param name="path" select="$first"/></xsl:call-template>
+      <xsl:value-of select="concat($colon, substring-after($text, $colon))"/>
+    </xsl:when>
+    <xsl:otherwise><xsl:value-of select="$text"/></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
@@ -400,13 +422,22 @@
       <xsl:with-param name="text" select="concat('windfirm ', $p/version)"/></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">tb.date</xsl:with-param>
       <xsl:with-param name="text" select="string($p/date)"/></xsl:call-template>
+    <xsl:variable name="seeds" select="$r/seed | $r/runs/item/seed[not(. = ../preceding-sibling::item/seed)]"/>
+    <xsl:if test="$seeds">
+      <xsl:call-template name="block-row"><xsl:with-param name="id">p.seed</xsl:with-param>
+        <xsl:with-param name="text">
+          <xsl:for-each select="$seeds">
+            <xsl:if test="position() &gt; 1">, </xsl:if><xsl:value-of select="."/>
+          </xsl:for-each>
+        </xsl:with-param></xsl:call-template>
+    </xsl:if>
     <xsl:for-each select="$r/files/item">
       <tr>
         <th><xsl:call-template name="term">
           <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>
         </xsl:call-template></th>
         <td><code>
-          <xsl:call-template name="base-name"><xsl:with-param name="path" select="path"/></xsl:call-template></code><br/>
+          <xsl:call-template name="base-name"><xsl:with-param name="path" select="path"/></xsl:call-template></code><xsl:text>  </xsl:text>
           <span class="hash">sha256 <xsl:value-of select="sha256"/></span></td>
       </tr>
     </xsl:for-each>
@@ -464,6 +495,27 @@
     </xsl:attribute>
     <xsl:call-template name="say"><xsl:with-param name="id">lv.play</xsl:with-param></xsl:call-template></button>
 </xsl:template>
+<!-- Head, choice of a run, slider and button of key frames. The name of a run is the mode "run" of it. -->
+<xsl:template name="live-frames">
+  <xsl:param name="switch"/>
+  <h3><xsl:call-template name="say"><xsl:with-param name="id">lv.frames</xsl:with-param></xsl:call-template></h3>
+  <p class="controls">
+    <label><xsl:call-template name="say"><xsl:with-param name="id">c.run</xsl:with-param></xsl:call-template>
+      <xsl:text> </xsl:text><select>
+      <xsl:for-each select="$r/runs/item[keys &gt; 1]">
+        <option value="{count(preceding-sibling::item)}"><xsl:apply-templates select="." mode="run"/></option>
+      </xsl:for-each>
+    </select></label>
+    <label><xsl:call-template name="say"><xsl:with-param name="id">lv.frame</xsl:with-param></xsl:call-template>
+      <xsl:text> </xsl:text><input type="range" min="0" step="1" value="0"/></label>
+    <xsl:if test="$switch">
+      <button type="button" class="switch">
+        <xsl:call-template name="say"><xsl:with-param name="id">lv.before</xsl:with-param></xsl:call-template></button>
+      <xsl:text> </xsl:text>
+    </xsl:if>
+    <xsl:call-template name="live-play"/>
+  </p>
+</xsl:template>
 <xsl:template name="live-row">
   <xsl:param name="key"/><xsl:param name="unit"/><xsl:param name="id" select="concat('lv.', $key)"/>
   <tr>
@@ -490,6 +542,11 @@
 </xsl:template>
 <xsl:template name="run-words">
   <xsl:choose>
+    <xsl:when test="model_name != '' and not(model)">
+      <xsl:call-template name="run-tree"/>
+      <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template>
+      <xsl:value-of select="model_name"/>
+    </xsl:when>
     <xsl:when test="species != '' and (name = species or starts-with(name, concat(species, ',')))">
       <xsl:call-template name="run-tree"/><xsl:value-of select="substring-after(name, species)"/>
     </xsl:when>

@@ -216,6 +216,56 @@
   </xsl:for-each>
 </xsl:template>
 
+<xsl:template match="item" mode="run">
+  <xsl:value-of select="concat(count(preceding-sibling::item) + 1, '. ')"/>
+  <xsl:call-template name="term">
+    <xsl:with-param name="id" select="concat('rn.name.', translate(name, ' ,', '--'))"/><xsl:with-param name="otherwise" select="name"/>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- The key frames one after the other, for the screen alone; hidden until its script runs. -->
+<xsl:template name="play">
+  <section id="live" class="live" hidden="hidden">
+    <xsl:call-template name="live-frames"><xsl:with-param name="switch" select="true()"/></xsl:call-template>
+    <div class="stage"></div>
+    <div class="cols">
+      <div class="col">
+        <table class="block" aria-live="polite">
+          <xsl:call-template name="live-row"><xsl:with-param name="key">time</xsl:with-param>
+            <xsl:with-param name="unit">s</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">event</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.event</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">leaf</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.leaf</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">drops</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.drops</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">held</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.held</xsl:with-param><xsl:with-param name="unit">mg</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">film</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.film</xsl:with-param><xsl:with-param name="unit">mg</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">fell</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.fell</xsl:with-param><xsl:with-param name="unit">mg</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">tip</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.tip</xsl:with-param><xsl:with-param name="unit">mm</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="live-row"><xsl:with-param name="key">moment</xsl:with-param>
+            <xsl:with-param name="id">lv.rn.moment</xsl:with-param><xsl:with-param name="unit">mN m</xsl:with-param></xsl:call-template>
+        </table>
+      </div>
+      <div class="col picture">
+        <p><label><input type="checkbox" class="way" checked="checked"/><xsl:text> </xsl:text>
+          <xsl:call-template name="say"><xsl:with-param name="id">lv.rn.way</xsl:with-param></xsl:call-template></label></p>
+        <p class="note times" aria-live="polite"><xsl:attribute name="data-words">
+          <xsl:call-template name="say"><xsl:with-param name="id">lv.rn.times</xsl:with-param></xsl:call-template>
+        </xsl:attribute></p>
+        <p class="note"><xsl:call-template name="say"><xsl:with-param name="id">lv.rn.note</xsl:with-param></xsl:call-template></p>
+        <xsl:for-each select="$strings/s[starts-with(@id, 'lv.rn.e.')]">
+          <span hidden="hidden" data-event="{substring-after(@id, 'lv.rn.e.')}"><xsl:value-of select="*[name() = $lang]"/></span>
+        </xsl:for-each>
+      </div>
+    </div>
+  </section>
+</xsl:template>
+
 <!-- "2.1e-16" as it is written by the program, or a plain 0. -->
 <xsl:template name="tiny">
   <xsl:param name="x"/>
@@ -299,6 +349,7 @@
     </xsl:for-each>
   </div>
   <xsl:call-template name="not-looked"><xsl:with-param name="id">nl.rain</xsl:with-param></xsl:call-template>
+  <xsl:if test="script"><xsl:call-template name="play"/></xsl:if>
   <xsl:call-template name="rain-runs"/>
   <xsl:call-template name="rain-leaf"/>
   <xsl:for-each select="$r/runs/item"><xsl:call-template name="rain-run"/></xsl:for-each>

@@ -218,6 +218,10 @@
           </xsl:choose>
         </xsl:with-param>
       </xsl:call-template>
+      <xsl:if test="@name = 'tip' and $trees/species/streamlining/reference_speed/value &gt; 0">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">f.tip.kink</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:if test="@name = 'front' and $trees[1]/winds/item[status = 'ok'][last()]/beyond_loss = 'true'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">lv.beyond</xsl:with-param></xsl:call-template>

@@ -29,14 +29,18 @@
   <xsl:value-of select="concat(count(preceding-sibling::item) + 1, '. ')"/><xsl:call-template name="run-words"/>
 </xsl:template>
 
+<xsl:variable name="semicolon">
+  <xsl:call-template name="say"><xsl:with-param name="id">list.apart</xsl:with-param></xsl:call-template>
+</xsl:variable>
+
 <!-- "corrected; exact beams; steady wind; shelter: wakes; power law" -->
 <xsl:template name="method-words">
   <xsl:call-template name="key"><xsl:with-param name="of">preset</xsl:with-param><xsl:with-param name="key" select="preset"/>
   </xsl:call-template>
-  <xsl:text>; </xsl:text>
+  <xsl:value-of select="$semicolon"/>
   <xsl:call-template name="key"><xsl:with-param name="of">method</xsl:with-param><xsl:with-param name="key" select="solver"/>
   </xsl:call-template>
-  <xsl:text>; </xsl:text>
+  <xsl:value-of select="$semicolon"/>
   <xsl:choose>
     <xsl:when test="gust != ''">
       <xsl:call-template name="key"><xsl:with-param name="of">gust</xsl:with-param><xsl:with-param name="key" select="gust"/>
@@ -48,14 +52,17 @@
   </xsl:choose>
   <xsl:if test="components = 3">, <xsl:call-template name="say"><xsl:with-param name="id">sr.components</xsl:with-param>
     </xsl:call-template></xsl:if>
-  <xsl:if test="shelter != ''">; <xsl:call-template name="say"><xsl:with-param name="id">sr.shelter</xsl:with-param>
+  <xsl:if test="shelter != ''"><xsl:value-of select="$semicolon"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sr.shelter</xsl:with-param>
     <xsl:with-param name="a"><xsl:call-template name="key">
       <xsl:with-param name="of">law</xsl:with-param><xsl:with-param name="key" select="shelter"/></xsl:call-template></xsl:with-param>
     </xsl:call-template></xsl:if>
-  <xsl:text>; </xsl:text>
+  <xsl:value-of select="$semicolon"/>
   <xsl:call-template name="key"><xsl:with-param name="of">m.profile</xsl:with-param><xsl:with-param name="key" select="profile"/>
   </xsl:call-template>
 </xsl:template>
+
+<xsl:template match="item" mode="run"><xsl:call-template name="run-name"/></xsl:template>
 
 <xsl:template name="runs">
   <table class="data runs">
@@ -72,7 +79,11 @@
       <tbody>
         <tr>
           <td><xsl:call-template name="run-name"/></td>
-          <td><xsl:call-template name="run-tree"/>, <xsl:value-of select="model"/></td>
+          <td>
+            <xsl:call-template name="run-tree"/>
+            <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template>
+            <xsl:value-of select="model_name | self::*[not(model_name)]/model"/>
+          </td>
           <td><xsl:call-template name="method-words"/></td>
           <xsl:call-template name="n"><xsl:with-param name="x" select="wind_mean_m_s"/></xsl:call-template>
           <xsl:call-template name="n"><xsl:with-param name="x" select="youngs_modulus_Pa div 1e9"/></xsl:call-template>
@@ -157,18 +168,7 @@
 <!-- The key frames one after the other, for the screen alone; hidden until its script runs. -->
 <xsl:template name="play">
   <section id="live" class="live" hidden="hidden">
-    <h3><xsl:call-template name="say"><xsl:with-param name="id">lv.frames</xsl:with-param></xsl:call-template></h3>
-    <p class="controls">
-      <label><xsl:call-template name="say"><xsl:with-param name="id">c.run</xsl:with-param></xsl:call-template>
-        <xsl:text> </xsl:text><select>
-        <xsl:for-each select="$r/runs/item[keys &gt; 1]">
-          <option value="{count(preceding-sibling::item)}"><xsl:call-template name="run-name"/></option>
-        </xsl:for-each>
-      </select></label>
-      <label><xsl:call-template name="say"><xsl:with-param name="id">lv.frame</xsl:with-param></xsl:call-template>
-        <xsl:text> </xsl:text><input type="range" min="1" step="1" value="1"/></label>
-      <xsl:call-template name="live-play"/>
-    </p>
+    <xsl:call-template name="live-frames"/>
     <div class="cols">
       <div class="col stage"></div>
       <div class="col picture">

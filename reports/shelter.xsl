@@ -7,7 +7,11 @@
 <xsl:template match="/report" mode="title">
   <xsl:call-template name="say"><xsl:with-param name="id">sh.title</xsl:with-param></xsl:call-template>
 </xsl:template>
-<xsl:template match="/report" mode="sub"><xsl:value-of select="concat($r/species, ', ', $r/tree)"/></xsl:template>
+<xsl:template match="/report" mode="sub">
+  <xsl:value-of select="$r/species"/>
+  <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template>
+  <xsl:value-of select="$r/tree"/>
+</xsl:template>
 
 <xsl:template name="inputs">
   <table class="block">
@@ -190,8 +194,8 @@
   <xsl:call-template name="figure"><xsl:with-param name="name">shelter_wind</xsl:with-param></xsl:call-template>
   <xsl:call-template name="figure"><xsl:with-param name="name">shelter_slabs</xsl:with-param></xsl:call-template>
   <xsl:if test="$r/moved/passes">
-    <xsl:call-template name="figure"><xsl:with-param name="name">shelter_motion</xsl:with-param></xsl:call-template>
     <xsl:call-template name="thirds"/>
+    <xsl:call-template name="figure"><xsl:with-param name="name">shelter_motion</xsl:with-param></xsl:call-template>
   </xsl:if>
   <xsl:call-template name="findings"/>
 </xsl:template>

@@ -169,8 +169,7 @@
       <xsl:with-param name="d">
         <xsl:call-template name="steady">
           <xsl:with-param name="x" select="$degrees * (mean_state/tip_angle |
-            self::*[not(mean_state)]/tip_angle)/value"/><xsl:with-param name="pattern">0</xsl:with-param>
-          <xsl:with-param name="least" select="1"/>
+            self::*[not(mean_state)]/tip_angle)/value"/><xsl:with-param name="pattern">0.0</xsl:with-param>
         </xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>

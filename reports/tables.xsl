@@ -196,7 +196,7 @@
     </xsl:choose>
   </table>
   <table>
-    <xsl:attribute name="class">data<xsl:if test="count($trees) = 1"> whole</xsl:if></xsl:attribute>
+    <xsl:attribute name="class">data losses<xsl:if test="count($trees) = 1"> whole</xsl:if></xsl:attribute>
     <xsl:call-template name="table-caption">
       <xsl:with-param name="n" select="2"/>
       <xsl:with-param name="text">

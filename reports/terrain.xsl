@@ -78,7 +78,8 @@
       <xsl:with-param name="id">tr.file</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:choose>
-          <xsl:when test="$r/file != ''"><code><xsl:value-of select="$r/file"/></code></xsl:when>
+          <xsl:when test="$r/file != ''"><code>
+            <xsl:call-template name="base-name"><xsl:with-param name="path" select="$r/file"/></xsl:call-template></code></xsl:when>
           <xsl:otherwise>
             <xsl:call-template name="say"><xsl:with-param name="id">tr.made</xsl:with-param></xsl:call-template>
           </xsl:otherwise>

@@ -314,9 +314,11 @@
         <xsl:with-param name="c">
           <xsl:call-template name="say"><xsl:with-param name="id" select="concat('anchorage.', name)"/></xsl:call-template>
         </xsl:with-param>
-        <xsl:with-param name="d" select="text"/>
+        <xsl:with-param name="d">
+          <xsl:call-template name="fine"><xsl:with-param name="text" select="text"/></xsl:call-template></xsl:with-param>
         <xsl:with-param name="e" select="source"/>
-        <xsl:with-param name="f" select="validity"/>
+        <xsl:with-param name="f">
+          <xsl:call-template name="fine"><xsl:with-param name="text" select="validity"/></xsl:call-template></xsl:with-param>
       </xsl:call-template>
       <xsl:value-of select="$gap"/>
       <xsl:call-template name="say"><xsl:with-param name="id">anchorage.static</xsl:with-param></xsl:call-template>

@@ -152,6 +152,29 @@
   </xsl:call-template>
 </xsl:template>
 
+<!-- Powers and signs of a note or a message as they are set in print. -->
+<xsl:template name="fine">
+  <xsl:param name="text"/>
+  <xsl:param name="pairs"
+             select="'kg/m2=kg/m²;/m3=/m³;/ft3=/ft³;x d^2=× d²;d^2=d²;R^3=R³;R^4=R⁴;N^3=N³;D/H2=D/H²;R2 0=R² 0;pi/4=π/4;'"/>
+  <xsl:variable name="from" select="substring-before($pairs, '=')"/>
+  <xsl:choose>
+    <xsl:when test="$pairs = ''"><xsl:value-of select="$text"/></xsl:when>
+    <xsl:when test="contains($text, $from)">
+      <xsl:call-template name="fine">
+        <xsl:with-param name="text" select="concat(substring-before($text, $from), substring-before(substring-after($pairs, '='), ';'),
+          substring-after($text, $from))"/>
+        <xsl:with-param name="pairs" select="$pairs"/>
+      </xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="fine">
+        <xsl:with-param name="text" select="$text"/><xsl:with-param name="pairs" select="substring-after($pairs, ';')"/>
+      </xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- A text that stays as somebody typed it, whatever the units of the page. -->
 <xsl:template name="as-typed">
   <xsl:param name="text"/>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The page of a report, or of runs in time, in headless Chromium: moves the slider, compares its numbers with the tables of the page and with the
+# The page of a report, of runs in time or of rain in headless Chromium: moves the slider, compares its numbers with the tables of the page and with the
 # results, and takes pictures of a telephone and a desk.
 #   python3 live.py FOLDER CHROMIUM [PICTURES]
 # Chromium is driven through pipes, so that no port is opened. Prints "live: N numbers", or what is wrong.
@@ -237,14 +237,66 @@ def frames():
         played(1, 0.7)
 
 
+def rain():
+    """The slider of a page of rain: every key frame of every run; its numbers, its last line, the way drawn longer."""
+    drawn, keys, course, air = table('scene'), table('keys'), table('series'), table('air')
+    for k, run in enumerate(results['runs']):
+        mine = [r for r in keys if int(r['run']) == k + 1]
+        if run['keys'] != len(mine):
+            wrong.append(f'run {k + 1}: {run["keys"]} key frames, {len(mine)} in the table')
+        browser.js(f"var c = document.querySelector('#live select'); c.value = '{k}'; c.dispatchEvent(new Event('change')); 0")
+        if int(browser.js("document.querySelector('#live input').max")) != len(mine) - 1:
+            wrong.append(f'run {k + 1}: not {len(mine)} frames')
+        browser.js("document.querySelector('#live input').focus()")
+        browser.key('Home', 36)
+        words = set()
+        for i, row in enumerate(mine):
+            if i:
+                browser.key('ArrowRight', 39)
+            now = [r for r in course if int(r['run']) == k + 1 and float(r['time_s']) >= float(row['time_s']) - 1e-6][0]
+            near('time', read('time'), row['time_s'])
+            near('leaf', read('leaf'), row['leaf'])
+            near('drops', read('drops'), row['drops'])
+            for key, column in (('held', 'held_mg'), ('film', 'film_mg'), ('fell', 'fell_mg'), ('tip', 'tip_up_mm'),
+                                ('moment', 'branch_moment_mNm')):
+                near(key, read(key), now[column])
+            words.add((row['event'], read('event')))
+            for longer in (False, True):
+                browser.js(f"var w = document.querySelector('#live .way'); w.checked = {str(longer).lower()}; w.dispatchEvent(new Event('change')); 0")
+                factor = int(re.search(r'\d+', browser.js("document.querySelector('#live .times').textContent")).group())
+                if not longer and factor != 1:
+                    wrong.append(f'run {k + 1}: drawn {factor} times as long')
+                for kind in ('branch', 'edge'):
+                    here, last = ([r for r in drawn if (int(r['run']), int(r['key']), r['kind']) == (k + 1, n, kind)]
+                                  for n in (i + 1, len(mine)))
+                    line = browser.js(f"document.querySelector('#live svg .now.{kind}').getAttribute('d')").split('M')[1:]
+                    if len(line) != len(here):
+                        wrong.append(f'run {k + 1}, frame {i + 1}: {len(line)} lines, not {len(here)}')
+                    end = [float(x) for x in line[-1].split('L')[1].split()]
+                    want = [float(last[-1][c]) + factor * (float(here[-1][c]) - float(last[-1][c])) for c in ('x1_m', 'z1_m')]
+                    if abs(end[0] - want[0]) > 2e-5 * factor or abs(end[1] + want[1]) > 2e-5 * factor:
+                        wrong.append(f'run {k + 1}, frame {i + 1}, {kind}: ends at {end}, not {want}')
+            if len(browser.js("document.querySelector('#live svg .air').getAttribute('d')").split('M')[1:]) != len(
+                    [r for r in air if (int(r['run']), int(r['key'])) == (k + 1, i + 1)]):
+                wrong.append(f'run {k + 1}, frame {i + 1}: not its drops in the air')
+        if len({e for e, _ in words}) != len({w for _, w in words}) or '' in [w for _, w in words]:
+            wrong.append(f'run {k + 1}: events have the words {words}')
+        at = "Number(document.querySelector('#live input').value)"
+        places = [browser.js(f"document.querySelector('#live .switch').click(); {at}") for _ in range(2)]
+        if places != [0, len(mine) - 1]:
+            wrong.append(f'run {k + 1}: the switch goes to {places}')
+        played(0, 0.7)
+
+
 results = json.load(open(folder + '/results.json'))
-series = 'runs' in results
+kind = results['schema']['name']
+page, look = {'windfirm-series': ('series', frames), 'windfirm-rain': ('rain', rain)}.get(kind, ('report', winds))
 browser = Browser()
-browser.open(folder + ('/series.html' if series else '/report.html'))
+browser.open(f'{folder}/{page}.html')
 read = lambda key: browser.js(f"document.querySelector('#live [data-key={key}]').textContent")
 if browser.js("document.getElementById('live').hidden"):
     wrong.append('the picture stays hidden')
-frames() if series else winds()
+look()
 for name, width, height in (('phone', 390, 844), ('desk', 1280, 900)):
     browser.size(width, height)
     wide = browser.js("document.documentElement.scrollWidth")

@@ -24,7 +24,8 @@ static void data_are_text(void **state)
     (void)state;
     static const struct row rows[] = {
         { HOSTILE
-          "cat reports/picture.js reports/live.js | grep -c -e 'innerHTML' -e 'document.write' -e 'eval('; grep -o '<script[^>]*>' "
+          "cat reports/picture.js reports/live.js | grep -c -e 'innerHTML' -e 'document.write' -e 'eval('; "
+          "grep -o '<script[^>]*>' "
           "$T/out/report.html; grep -o '<option value=.0.>[^/]*/script[^/]*//</option>' $T/out/report.html",
           CODE_OK,
           { "0\n<script type=\"application/json\" id=\"live-data\">\n<script>\n",
@@ -40,10 +41,17 @@ static void data_are_text(void **state)
                   "END\n",
           CODE_OK,
           { "True" } },
-        { "cat reports/picture.js reports/frames.js | grep -c -e 'innerHTML' -e 'document.write' -e 'eval('; $W series oak --model "
+        { "cat reports/picture.js reports/frames.js | grep -c -e 'innerHTML' -e 'document.write' -e 'eval('; "
+          "$W series oak --model "
           "culm --wind 8 "
           "--duration 2 --step 0.5 --gust cosine --keys 3 --no-vtk --no-pdf -q -o $T/out 2>$T/said; grep -o "
           "'<script[^>]*>' $T/out/series.html; grep -o \"script-src 'sha256-\" $T/out/series.html",
+          CODE_OK,
+          { "0\n<script type=\"application/json\" id=\"live-data\">\n<script>\n", "script-src 'sha256-" } },
+        { "cat reports/rain.js | grep -c -e 'innerHTML' -e 'document.write' -e 'eval('; $W rain --staged "
+          "--duration 2 --no-pdf -q -o "
+          "$T/out 2>$T/said; grep -o '<script[^>]*>' $T/out/rain.html; grep -o \"script-src 'sha256-\" "
+          "$T/out/rain.html",
           CODE_OK,
           { "0\n<script type=\"application/json\" id=\"live-data\">\n<script>\n", "script-src 'sha256-" } },
     };
@@ -117,6 +125,10 @@ static void in_a_browser(void **state)
           "-o $T/out 2>$T/said; timeout 120 python3 tests/live.py $T/out chromium",
           CODE_OK,
           { "live: 15 numbers" } },
+        { "$W rain --staged --duration 2 --no-pdf -q -o $T/out 2>$T/said; timeout 120 python3 tests/live.py "
+          "$T/out chromium",
+          CODE_OK,
+          { "live: 56 numbers" } },
     };
     CHECK(rows);
 }

@@ -14,7 +14,7 @@ do for [k=1:PARAMS] { PER_K = per(unit_in(text_of('PARAM', k))); VALUE[k] = PER_
 PROFILES = DIR.'/tables/profiles.csv'
 SHOWN = PROFILED > 8 ? 8 : PROFILED
 ROWS = SHOWN ? (SHOWN + 1)/2 : 1
-WIDTH = 640.0; STEP = 240.0; HEIGHT = STEP*ROWS
+WIDTH = 640.0; STEP = 222.0; HEIGHT = STEP*ROWS
 SPAN = SHOWN == 1 ? 560.0 : 236.0
 # what the covariance alone would say: a parabola in the value's logarithm, or in the value
 parabola(k, x) = LOGGED[k] ? LIMIT*(2*log(x/VALUE[k])/log(HIGH[k]/LOW[k]))**2 : LIMIT*(2*(x - VALUE[k])/(HIGH[k] - LOW[k]))**2
@@ -37,7 +37,8 @@ do for [k=1:SHOWN] {
     if (LOGGED[k] && STATS_max > 8*STATS_min) { set logscale x; set xtics autofreq } else { set xtics TICK }
     set xrange [STATS_min:STATS_max]; set yrange [0:1.3*LIMIT]; set samples 200
     set label 1 "95 %" at graph 0.5, first LIMIT center offset 0,0.6
-    plot PROFILES using (pick(of_param(k), PER_K*column("value"))):"rise" with linespoints lt 1, LIMIT with lines lt 2, \
+    plot PROFILES using (pick(of_param(k), PER_K*column("value"))):"rise" with points lt 1, \
+         '' using (pick(of_param(k), PER_K*column("value"))):"rise" smooth mcsplines with lines lt 1, LIMIT with lines lt 2, \
          parabola(k, x) with lines lt 1 lc rgb '#606060' lw 1 dt 3
 }
 unset multiplot

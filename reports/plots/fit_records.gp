@@ -9,7 +9,7 @@ TESTS = int(number('TESTS', 0)); RECORDED = int(number('RECORDED', 0))
 RECORDS = DIR.'/tables/records.csv'
 SHOWN = RECORDED ? (TESTS > 8 ? 8 : TESTS) : 0
 ROWS = SHOWN ? (SHOWN + 1)/2 : 1
-WIDTH = 640.0; HEIGHT = 220.0*ROWS + 10
+WIDTH = 640.0; STEP = SHOWN > 1 ? 220.0 : 196.0; HEIGHT = STEP*ROWS + 10
 SPAN = SHOWN == 1 ? 560.0 : 236.0
 of_test(k) = column("test") == k
 load HERE.'start.gp'
@@ -17,9 +17,9 @@ set multiplot
 unset key
 if (!SHOWN) { unset border; unset tics; set yrange [0:1]; set label 1 L('NO_RECORDS') at graph 0.5,0.5 center; plot [0:1] -1 }
 do for [k=1:SHOWN] {
-    i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 28.0 - 220.0*(i/2)
+    i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 28.0 - STEP*(i/2)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
-    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 140)/HEIGHT
+    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - STEP + 80)/HEIGHT
     set title short(text_of('TEST', k), SPAN + 60) offset 0,-0.6
     set xlabel L('TIME'); set ylabel with_unit(L(text_of('TEST_LOAD', k)), text_of('TEST_UNIT', k)) offset 1,0
     set xrange [*:*]; set yrange [*:*]; PER_Y = per(text_of('TEST_UNIT', k))

@@ -70,7 +70,7 @@ if (n && FULL > 0) {
         z = top/1.05*(b - 0.5)/BINS
         if (arrow(b) > 0.02*reach) { set arrow b from from, z to from + arrow(b), z head filled size first 0.018*top, 20 lw 1.4 lc rgb '#0072B2' front }
     }
-    set label 1 (turned ? put(L('WIND_LOAD'), '%.1f kN', said(FORCE, FULL/1e3).' '.UNIT[FORCE]) : sprintf(L('WIND_LOAD'), FULL/1e3)) at from, top*0.985 font ',10.5' textcolor rgb '#0072B2'
+    set label 1 (turned ? put(L('WIND_LOAD'), '%s kN', said(FORCE, FULL/1e3).' '.UNIT[FORCE]) : sprintf(L('WIND_LOAD'), sprintf(FULL < 1e3 ? '%.2g' : FULL < 1e5 ? '%.1f' : '%.0f', FULL/1e3))) at from, top*0.985 font ',10.5' textcolor rgb '#0072B2'
 }
 px = 0.0; py = 0.0; ox = 0.0; oy = 0.0
 few = ROWS[1] <= 5000

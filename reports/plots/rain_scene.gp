@@ -37,7 +37,9 @@ unset key; unset grid; set border 3 lw 0.5
 set xrange [MIDDLE-0.5*WIDE:MIDDLE+0.5*WIDE]; set yrange [BOTTOM:TOP]
 step = 50.0
 do for [t in "20 10 5 2 1 0.5 0.2 0.1 0.05"] { step = real(t)*PANEL/WIDE >= 38 ? real(t) : step }
-set xtics step font ',9.5'; set ytics step font ',9.5'; set format x "%.4g"
+rise = step
+do for [t in "20 10 5 2 1 0.5 0.2 0.1 0.05"] { rise = real(t)*TALL/(TOP - BOTTOM) >= 17 ? real(t) : rise }
+set xtics step font ',9.5'; set ytics rise font ',9.5'; set format x "%.4g"
 event(k) = L('RAIN_'.text_of(sprintf('EVENT_%d', RUN), k))
 here(k) = column("run") == RUN && column("key") == k
 at_frame(k, what) = here(k) && strcol("kind") eq what

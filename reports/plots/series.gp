@@ -33,7 +33,8 @@ set tmargin at screen 1 - (24 + ROW)/HEIGHT; set bmargin at screen 1 - (24 + 2*R
 set ylabel L('TIP_M') offset 1.2,0; set xlabel L('TIME')
 if (level(TIP_min, TIP_max)) { set yrange [below(TIP_min):above(TIP_max)] } else { set yrange [*:*] }
 plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(PER_M*column("tip_deflection_m")) with lines lt c lw 1.2, \
-     SERIES using (pick(column("beyond_breakage") == 1, column("time_s"))):(PER_M*column("tip_deflection_m")) with points pt 7 ps 0.25 lc rgb '#b0b0b0'
+     for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)) && column("beyond_breakage") == 1, column("time_s"))):(PER_M*column("tip_deflection_m")) with lines lc rgb '#ffffff' dt 1 lw 2.2, \
+     for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)) && column("beyond_breakage") == 1, column("time_s"))):(PER_M*column("tip_deflection_m")) with lines lt c lc rgb '#a0a0a0' lw 1.2
 load HERE.'strip.gp'
 set key maxcols 2
 plot for [c=1:words(MOVING)] -1 with lines lt c title short(NAME[nth(MOVING, c)], 230)

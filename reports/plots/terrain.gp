@@ -9,8 +9,9 @@ FROM = number('FROM', 0)
 TERRAIN = DIR.'/tables/terrain.csv'
 stats TERRAIN using (column("x_m")):(column("y_m")) nooutput
 XLOW = STATS_min_x; XHIGH = STATS_max_x; YLOW = STATS_min_y; YHIGH = STATS_max_y
+POINTS = STATS_records
 stats TERRAIN using (column("wind_factor")) nooutput
-POINTS = STATS_records; FLOW = STATS_min; FHIGH = STATS_max
+FLOW = STATS_min; FHIGH = STATS_max
 stats TERRAIN using (PER_M*column("height_m")) nooutput
 ZLOW = STATS_min; ZHIGH = STATS_max
 stats TERRAIN using (column("topex_deg")) nooutput
@@ -30,6 +31,9 @@ set palette maxcolors 16
 unset colorbox
 SIDE = 1 + int((sqrt(POINTS) - 1)/80)
 km(v) = PER_KM*v/1000.0
+# a point is a square about it: the maps end half a square beyond the outermost points
+SPAN_X = XHIGH - XLOW; SPAN_Y = YHIGH - YLOW
+EDGE = POINTS > 1 && SPAN_X*SPAN_Y > 0 ? SIDE*SPAN_X*SPAN_Y/(sqrt((SPAN_X + SPAN_Y)**2 + 4*SPAN_X*SPAN_Y*(POINTS - 1)) - SPAN_X - SPAN_Y) : 0
 # four or five ticks a side; palettes run from light to dark, so that a copy in black and white can be read
 ten(span) = 10.0**floor(log10(span))
 step(span) = span/ten(span) > 5 ? 5*ten(span) : span/ten(span) > 2 ? 2*ten(span) : ten(span)
@@ -52,9 +56,10 @@ do for [i=1:3] {
     if (i == 1 && ZLOW == ZHIGH) { set cbrange [ZLOW-1:ZHIGH+1] }
     if (i == 2 && TWIDE == 0) { set cbrange [TMEAN-1:TMEAN+1] }
     if (i == 3 && FLOW == FHIGH) { set cbrange [FLOW-0.1:FHIGH+0.1] }
-    set xrange [km(XLOW):km(XHIGH)]; set yrange [km(YLOW):km(YHIGH)]
+    set xrange [km(XLOW - EDGE):km(XHIGH + EDGE)]; set yrange [km(YLOW - EDGE):km(YHIGH + EDGE)]
     set xtics border nomirror out scale 0.6 TICK; set ytics border nomirror out scale 0.6 TICK; set xlabel L('EAST_KM') offset 0,0.3
-    plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(PER_MAP[i]*column(NAMES[i])) every SIDE:SIDE with image
+    plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(PER_MAP[i]*column(NAMES[i])) every SIDE:SIDE with image, \
+         TERRAIN using (i == 3 && strcol(NAMES[i]) eq 'nan' ? km(column("x_m")) : NaN):(km(column("y_m"))) with points pt 5 ps 2.2*EDGE*215/(8.0*(SPAN_X + 2*EDGE)) lc rgb '#ffffff'
     CLOW = GPVAL_CB_MIN; CHIGH = GPVAL_CB_MAX
     set cbrange [CLOW:CHIGH]; set xrange [0:1]; set yrange [CLOW:CHIGH]
     set lmargin at screen (x0 + 221)/WIDTH; set rmargin at screen (x0 + 230)/WIDTH

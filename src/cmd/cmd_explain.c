@@ -181,6 +181,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     warn_of_departures(&an, &leaves);
     const struct wf_explained of = { .run = 1,
                                      .name = wf_arena_print(a, "%s, %s", sp.key, m.key),
+                                     .model = m.name,
                                      .species = &sp,
                                      .of = &x,
                                      .tree = &an.tree,

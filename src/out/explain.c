@@ -107,6 +107,7 @@ json_t *wf_explain_part(struct wf_doc *d, const struct wf_explained *x)
     wf_doc_text(d, o, "species", x->species->key);
     wf_doc_text(d, o, "species_name", x->species->name);
     wf_doc_text(d, o, "species_zh", x->species->name_zh);
+    if (x->model) wf_doc_text(d, o, "model_name", x->model);
     wf_doc_number(d, o, "speed", x->speed);
     json_t *methods = wf_doc_put(d, o, "methods", wf_doc_array(d));
     for (size_t m = 0; m < of->methods; m++) {

@@ -7,7 +7,8 @@
 
 struct wf_explained {
     size_t run;       /* number of the run it belongs to */
-    const char *name; /* of the tree and its wind, for the heading */
+    const char *name;  /* of the tree and its wind, for the heading */
+    const char *model; /* its name, where the heading is species and model; else NULL */
     const struct wf_species *species;
     const struct wf_explain *of;
     const struct wf_tree *tree;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/live.h"
 #include "base/csv.h"
+#include "base/num.h"
 #include "out/doc.h"
 #include "out/page_units.h"
 #include <math.h>
@@ -296,6 +297,155 @@ static enum wf_status trees_part(struct wf_doc *d, json_t *o, const char *folder
     return s ? s : read_shapes(path, results, trees, n <= POINTS, false, d, &rows, e);
 }
 
+/* ---- Rain ---- */
+
+/* What key frames of rain are of, and the lines of their scene. */
+static const char *const rain_events[] = { "hit", "wood", "ran", "merged", "hung", "fell", "rebound", "end" };
+static const char *const rain_lines[] = { "branch", "petiole", "edge", "vein" };
+
+/* The row of that name; NULL: none. */
+static const char *named(const char *const *row, size_t n, const char *name)
+{
+    for (size_t i = 0; i < n; i++)
+        if (!strcmp(row[i], name)) return row[i];
+    return NULL;
+}
+
+enum { COLUMNS = 8 };
+struct table {
+    struct wf_csv c;
+    struct wf_arena a;
+    struct wf_diag diag;
+    size_t column[COLUMNS]; /* first run and, but of the course in time, key */
+};
+
+/* Open FOLDER/tables/NAME.csv with these columns; closed by wf_arena_free(&t->a). */
+static enum wf_status open_table(struct table *t, const char *folder, const char *name, const char *columns,
+                                 struct wf_err *e)
+{
+    char path[WF_PATH_MAX], file[64], one[32];
+    *t = (struct table){ .diag = { .arena = &t->a } };
+    snprintf(file, sizeof file, "tables/%s.csv", name);
+    enum wf_status s = wf_folder_path(folder, file, path, e);
+    const char *kept = s ? NULL : wf_arena_text(&t->a, path);
+    if (!s && !kept) s = wf_fail(e, WF_ENOMEM, "no memory for %s", path);
+    if (!s) s = wf_csv_open(&t->c, kept, &t->a, &t->diag, e);
+    for (int n = 0, at = 0, i = 0; !s && sscanf(columns + at, "%31s%n", one, &n) == 1; at += n)
+        t->column[i++] = wf_csv_need(&t->c, one);
+    return s || !t->diag.errors ? s : wf_fail(e, WF_EINPUT, "%s: is no table of rain", kept);
+}
+
+static const char rain_scene[] = "run key kind x0_m z0_m x1_m z1_m";
+
+/* Lines of the scene: n[0] all, n[1] without the veins of leaves. */
+static enum wf_status count_lines(const char *folder, size_t n[2], struct wf_err *e)
+{
+    struct table t;
+    enum wf_status s = open_table(&t, folder, "scene", rain_scene, e);
+    while (!s && wf_csv_next(&t.c)) n[0]++, n[1] += strcmp(wf_csv_text(&t.c, t.column[2]), "vein") != 0;
+    wf_arena_free(&t.a);
+    return s;
+}
+
+/* The key frame that a row is of, counted from 1; NULL: of no run that is shown. */
+static json_t *key_of(json_t *runs, struct table *t)
+{
+    double run = cell(&t->c, t->column[0]), key = cell(&t->c, t->column[1]);
+    if (!(run >= 1 && run <= TREES && key >= 1 && key <= POINTS)) return NULL;
+    json_t *of = json_array_get(runs, (size_t)run - 1);
+    return json_array_get(json_object_get(of, "keys"), (size_t)key - 1);
+}
+
+static enum wf_status read_keys(const char *folder, json_t *runs, struct wf_doc *d, struct wf_err *e)
+{
+    struct table t;
+    enum wf_status s = open_table(&t, folder, "keys", "run key event time_s leaf drops", e);
+    while (!s && wf_csv_next(&t.c)) {
+        double run = cell(&t.c, t.column[0]);
+        const char *event = named(rain_events, WF_COUNT(rain_events), wf_csv_text(&t.c, t.column[2]));
+        json_t *keys =
+            run >= 1 && run <= TREES ? json_object_get(json_array_get(runs, (size_t)run - 1), "keys") : NULL;
+        if (!keys || !event || json_array_size(keys) >= POINTS) continue;
+        json_t *o = wf_doc_add(d, keys, wf_doc_object(d));
+        wf_doc_text(d, o, "event", event);
+        wf_doc_number(d, o, "time", cell(&t.c, t.column[3]));
+        wf_doc_number(d, o, "leaf", cell(&t.c, t.column[4]));
+        wf_doc_number(d, o, "drops", cell(&t.c, t.column[5]));
+        for (size_t i = 0; i < WF_COUNT(rain_lines); i++) wf_doc_put(d, o, rain_lines[i], wf_doc_array(d));
+        wf_doc_put(d, o, "air", wf_doc_array(d));
+    }
+    wf_arena_free(&t.a);
+    return s;
+}
+
+/* A place to 0.01 mm: leaves move little. */
+static json_t *place(double x) { return json_real(isfinite(x) ? round(x * 1e5) / 1e5 : 0); }
+
+static enum wf_status read_scene(const char *folder, json_t *runs, bool veins, struct wf_doc *d,
+                                 struct wf_err *e)
+{
+    struct table t;
+    enum wf_status s = open_table(&t, folder, "scene", rain_scene, e);
+    while (!s && wf_csv_next(&t.c)) {
+        const char *kind = named(rain_lines, WF_COUNT(rain_lines) - !veins, wf_csv_text(&t.c, t.column[2]));
+        json_t *to = kind ? json_object_get(key_of(runs, &t), kind) : NULL;
+        for (size_t i = 3; to && i < 7; i++) wf_doc_add(d, to, place(cell(&t.c, t.column[i])));
+    }
+    wf_arena_free(&t.a);
+    if (s) return s;
+    /* drops in the air: where they are, and where they were 4 ms before */
+    s = open_table(&t, folder, "air", "run key x_m z_m vx_m_s vz_m_s", e);
+    for (size_t n = 0; !s && n < POINTS && wf_csv_next(&t.c);) {
+        json_t *to = json_object_get(key_of(runs, &t), "air");
+        double x = cell(&t.c, t.column[2]), z = cell(&t.c, t.column[3]);
+        if (!to) continue;
+        wf_doc_add(d, to, place(x)), wf_doc_add(d, to, place(z));
+        wf_doc_add(d, to, place(x - 0.004 * cell(&t.c, t.column[4])));
+        wf_doc_add(d, to, place(z - 0.004 * cell(&t.c, t.column[5])));
+        n++;
+    }
+    wf_arena_free(&t.a);
+    return s;
+}
+
+/* Numbers of the key frames: the first row of the course in time at each, or after it. */
+static enum wf_status read_course(const char *folder, json_t *runs, struct wf_doc *d, struct wf_err *e)
+{
+    static const char *const key[] = { "held", "film", "fell", "tip", "moment" };
+    struct table t;
+    size_t next[TREES] = { 0 };
+    enum wf_status s =
+        open_table(&t, folder, "series", "run time_s held_mg film_mg fell_mg tip_up_mm branch_moment_mNm", e);
+    while (!s && wf_csv_next(&t.c)) {
+        double run = cell(&t.c, t.column[0]), time = cell(&t.c, t.column[1]);
+        if (!(run >= 1 && run <= TREES)) continue;
+        json_t *keys = json_object_get(json_array_get(runs, (size_t)run - 1), "keys"), *o;
+        while ((o = json_array_get(keys, next[(size_t)run - 1])) &&
+               json_number_value(json_object_get(o, "time")) <= time * (1 + 1e-6)) {
+            for (size_t i = 0; i < WF_COUNT(key); i++)
+                wf_doc_number(d, o, key[i], cell(&t.c, t.column[i + 2]));
+            next[(size_t)run - 1]++;
+        }
+    }
+    wf_arena_free(&t.a);
+    return s;
+}
+
+/* The runs of rain; `runs` stays empty where the page would become too heavy. */
+static enum wf_status rain_part(struct wf_doc *d, json_t *o, const char *folder, const json_t *results,
+                                struct wf_err *e)
+{
+    size_t n[2] = { 0 }, i;
+    json_t *runs = wf_doc_put(d, o, "runs", wf_doc_array(d)), *x;
+    enum wf_status s = count_lines(folder, n, e);
+    if (s || n[1] > POINTS / 2) return s;
+    json_array_foreach(json_object_get(results, "runs"), i, x) if (i < TREES)
+        wf_doc_put(d, wf_doc_add(d, runs, wf_doc_object(d)), "keys", wf_doc_array(d));
+    s = read_keys(folder, runs, d, e);
+    if (!s) s = read_scene(folder, runs, n[0] <= POINTS / 2, d, e);
+    return s ? s : read_course(folder, runs, d, e);
+}
+
 /* Has the document something to play? */
 static bool moves(const json_t *results)
 {
@@ -315,7 +465,9 @@ enum wf_status wf_live_data(const char *folder, const json_t *results, const cha
     json_t *o = wf_doc_object(&d);
     wf_doc_put(&d, o, "units", units_part(&d, units));
     bool time = json_is_array(json_object_get(results, "runs"));
-    enum wf_status s = (time ? frames_part : trees_part)(&d, o, folder, results, e);
+    const char *schema = text_of(json_object_get(results, "schema"), "name");
+    bool rain = schema && !strcmp(schema, "windfirm-rain");
+    enum wf_status s = (rain ? rain_part : time ? frames_part : trees_part)(&d, o, folder, results, e);
     bool none = time && !json_array_size(json_object_get(o, "runs"));
     char *text = s || none || d.failed ? NULL : json_dumps(o, JSON_COMPACT | JSON_REAL_PRECISION(7));
     *out = text ? wf_arena_print(a, "%s", text) : NULL;

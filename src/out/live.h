@@ -2,7 +2,8 @@
 #ifndef WF_OUT_LIVE_H
 #define WF_OUT_LIVE_H
 /* What the sliders of pages show: of a report the shapes of its trees at every wind with an answer
- * (reports/live.js reads it), of runs in time their key frames (reports/frames.js), with their numbers. */
+ * (reports/live.js reads it), of runs in time their key frames (reports/frames.js), of rain those of branch, leaves and drops
+ * (reports/rain.js), with their numbers. */
 #include "base/arena.h"
 #include "base/err.h"
 #include <jansson.h>

@@ -34,6 +34,7 @@ static const struct wf_page_unit imperial[] = {
     { "kN m/rad", "kip·ft/rad", 0.73756214927727 },
     { "MN m/rad", "kip·ft/rad", 737.56214927727 },
     { "kN m/m3", "kip/ft2", 0.02088543423315 },
+    { "kN m/m³", "kip/ft²", 0.02088543423315 },
     { "Pa", "lbf/ft²", 0.02088543423315 },
     { "kPa", "psi", 0.14503773773021 },
     { "MPa", "psi", 145.03773773021 },

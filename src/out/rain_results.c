@@ -416,6 +416,7 @@ static json_t *run_part(struct wf_doc *d, const struct wf_rain_page_run *run)
     wf_doc_text(d, o, "species_zh", s->scene.species->name_zh);
     wf_doc_text(d, o, "stepping", s->method == WF_PRISM_EULER ? "euler" : "midpoint");
     wf_doc_flag(d, o, "staged", s->staged);
+    wf_doc_count(d, o, "keys", r->keys);
     wf_doc_count(d, o, "leaves", s->scene.leaves), wf_doc_count(d, o, "grid", s->grid);
     wf_doc_count(d, o, "vertices", r->scene.vertices), wf_doc_count(d, o, "facets", r->scene.facets);
     wf_doc_count(d, o, "steps", r->steps), wf_doc_count(d, o, "springs", r->scene.prism.springs);

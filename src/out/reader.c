@@ -104,7 +104,7 @@ static const struct {
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
-      "reason reference message species_zh role scope script season sensor sha256 source species_name status "
+      "reason reference message model_name species_zh role scope script season sensor sha256 source species_name status "
       "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from "
       "site_kind design safety_criterion "
       "wind_terrain" },

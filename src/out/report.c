@@ -41,7 +41,7 @@ static const struct kind kinds[] = {
     { "windfirm-rose", 1, "rose", NULL, NULL },
     { "windfirm-shelter", 1, "shelter", NULL, NULL },
     { "windfirm-terrain", 1, "terrain", NULL, NULL },
-    { "windfirm-rain", 1, "rain", NULL, NULL },
+    { "windfirm-rain", 1, "rain", NULL, "rain.js" },
     { "windfirm-modes", 1, "modes", NULL, NULL },
     { "windfirm-fragility", 1, "fragility", NULL, NULL },
     { "windfirm-extremes", 1, "extremes", NULL, NULL },

@@ -368,9 +368,11 @@ static json_t *run_part(struct wf_doc *d, const struct wf_series *s)
     wf_doc_text(d, o, "species_name", s->spec.species->name);
     wf_doc_text(d, o, "species_zh", s->spec.species->name_zh);
     wf_doc_text(d, o, "model", s->spec.model->key);
+    wf_doc_text(d, o, "model_name", s->spec.model->name);
     wf_doc_text(d, o, "preset", s->spec.preset->name);
     wf_doc_text(d, o, "solver", s->spec.solver->name);
     wf_doc_text(d, o, "gust", s->spec.gust);
+    if (s->spec.gust) wf_doc_count(d, o, "seed", s->spec.seed);
     wf_doc_count(d, o, "components", s->across ? 3 : 1);
     wf_doc_text(d, o, "shelter", s->spec.shelter ? s->spec.shelter->name : NULL);
     wf_doc_text(d, o, "profile", s->an.scenario.profile);
