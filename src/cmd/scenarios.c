@@ -178,6 +178,17 @@ enum wf_status wf_scenarios_split(const struct wf_analyze_options *o, struct wf_
     return s;
 }
 
+/* What is said of a stand. */
+static const char *const of_stand[] = { "--spacing", "--stand-height", "--edge-distance", "--gap" };
+
+/* Does the scenario take another peak load than that of stands? Then the tree stands alone in it. */
+static bool leaves_stand(const struct wf_scenario_words *x, const struct wf_args *line)
+{
+    for (size_t k = 0; k < x->n; k++)
+        if (!strcmp(line->option[x->option[k]].name, "--peak")) return strcmp(x->cell[k], "gales") != 0;
+    return false;
+}
+
 enum wf_status wf_scenario_options(const struct wf_args *line, const char *command,
                                    const struct wf_scenario_words *x, struct wf_units *units,
                                    struct wf_arena *a, struct wf_diag *d, struct wf_args *out,
@@ -187,9 +198,11 @@ enum wf_status wf_scenario_options(const struct wf_args *line, const char *comma
     struct wf_sink sink;
     if (!beside) return wf_fail(e, WF_ENOMEM, "not enough memory for a scenario");
     *beside = *line;
+    const bool alone = leaves_stand(x, line);
     for (size_t k = 0; beside->option[k].name; k++) {
         const struct wf_option *row = &beside->option[k];
-        bool other = !strcmp(row->name, "--scenarios") || !strcmp(row->name, "--remove");
+        bool other = !strcmp(row->name, "--scenarios") || !strcmp(row->name, "--remove") ||
+                     (alone && is_among(row->name, of_stand, WF_COUNT(of_stand)));
         if (other || (!x->given && wf_scenario_changes(row))) beside->given[k] = false;
     }
     if (!wf_args_read_cells(beside, command, x->option, x->cell, x->n, units, a, out, &sink))
