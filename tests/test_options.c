@@ -200,7 +200,7 @@ static void test_names(void **state)
         { "$W explain poplr $M", CODE_INPUT, { "did you mean 'poplar'?" } },
         { "$W series poplr $M", CODE_INPUT, { "did you mean 'poplar'?" } },
         { "$W shelter --model culm --species poplr", CODE_INPUT, { "did you mean 'poplar'?" } },
-        { "$W species show moso_bambo", CODE_INPUT, { "did you mean 'moso_bamboo'?" } },
+        { "$W species show moso_bambo", CODE_INPUT, { "did you mean 'moso_bamboo'" } },
         { "$W tree draw --model clum", CODE_INPUT, { "did you mean 'culm'?" } },
         { "$W tree info -s poplr $D/plain.csv", CODE_INPUT, { "did you mean 'poplar'?" } },
         { "sed 's/species: scots_pine/species: scots_pin/' $S >$T/f.yaml; $W fit $T/f.yaml",

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "cmd/args.h"
 #include "grow/card.h"
+#include "grow/silhouette.h"
 #include "study/removal.h"
 #include "wind/wind.h"
 #include <math.h>
@@ -239,7 +240,23 @@ static enum wf_status lose_roots(const struct wf_analyze_options *o, double grow
     return WF_OK;
 }
 
-enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, const struct wf_model *whole,
+/* A drawn crown, or one of leaves whose place a model says. */
+static enum wf_status change_crown(const struct wf_analyze_options *o, struct wf_analyze_request *q,
+                                   struct wf_model *m, struct wf_err *e)
+{
+    (void)wf_reduction_read(o->reduce, &q->scenario.reduced);
+    if (!(o->thin > 0)) return WF_OK;
+    bool crown = wf_silhouette_area(&m->silhouette) > 0;
+    if (!(m->leaf_area > 0) && !crown)
+        return wf_fail(e, WF_EINPUT, "%s: thin has no effect: the tree has no leaves (its branches stay)",
+                       m->name);
+    m->leaf_area *= 1 - o->thin;
+    if (crown) m->silhouette.thinned = o->thin;
+    q->scenario.reduced.thin = o->thin;
+    return WF_OK;
+}
+
+enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, bool card, const struct wf_model *whole,
                                 double grown, struct wf_arena *a, struct wf_analyze_request *q,
                                 struct wf_model *m, struct wf_err *e)
 {
@@ -252,6 +269,7 @@ enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, const struct
     if (o->leaf_off) wf_model_set_season(m, WF_LEAF_OFF);
     if (m->scanned == WF_SCANNED_AS_SEASON)
         m->scanned = whole->season == WF_LEAF_OFF ? WF_SCANNED_LEAF_OFF : WF_SCANNED_LEAF_ON;
+    if (!s && !card) s = change_crown(o, q, m, e);
     if (!s) s = wf_card_change(&walls, a, m, &cut, e);
     return s ? s : lose_roots(o, grown, a, q, e);
 }
