@@ -15,6 +15,7 @@ struct import_options {
     const char *output; /* NULL: nothing is written                   */
     const char *to;     /* form to write; NULL: by the name of `output` */
     struct wf_import_asked import;
+    const char *lang;
 };
 
 #define OPTIONS struct import_options
@@ -26,6 +27,7 @@ static const struct wf_option options[] = {
     CHOICE("--to", to, "FORM", "csv|txt|mtg|mat|vtk", NULL,
            "form to write, whatever the name's ending; in a folder it gives the ending [csv]"),
     WF_IMPORT_ROWS(import, NULL),
+    WF_SPOKEN_ROW(lang),
     WF_QUIET_ROW,
     { 0 },
 };
