@@ -33,10 +33,9 @@ static const struct wf_option options[] = {
 };
 
 static const char about[] =
-    "  Read measured trees (TreeQSM text and .mat, SimpleForest, aRchi, rTwig, OpenAlea MTG, raycloudtools,\n"
-    "  PypeTree, SWC, treegraph, hand-measured and plain tables), repair and count what needs repair, and "
-    "write them in one form.\n"
-    "  A file that cannot be read does not stop the others; the exit code is then 2.";
+    "Read measured trees (TreeQSM text and .mat, SimpleForest, aRchi, rTwig, OpenAlea MTG, raycloudtools, "
+    "PypeTree, SWC, treegraph, hand-measured and plain tables), repair and count what needs repair, and "
+    "write them in one form. A file that cannot be read does not stop the others; the exit code is then 2.";
 
 static bool is_folder(const char *path)
 {
