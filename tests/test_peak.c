@@ -11,6 +11,7 @@
 #include "study/sway.h"
 #include "wind/category.h"
 #include "wind/gust_factor.h"
+#include <math.h>
 #include <string.h>
 
 enum { ROWS = 16, TWIGS = 4 };
@@ -23,12 +24,12 @@ struct pole {
     struct wf_analysis an;
 };
 
-/* A uniform pole in a uniform wind, with short level twigs at the upper half where `twigs`. */
-static void make(struct pole *p, const char *method, bool twigs)
+/* A uniform pole in a uniform wind, with level twigs at the upper half. */
+static void make_with(struct pole *p, const char *method, size_t twigs, double reach, double thin)
 {
     *p = (struct pole){ .level = { { .name = "stem" } } };
     struct beam_case *c = &p->c;
-    size_t n = ROWS + (twigs ? TWIGS : 0);
+    size_t n = ROWS + twigs;
     beam_new(c, n);
     c->loads.gravity = 0;
     for (int i = 0; i < (int)n; i++) {
@@ -37,7 +38,7 @@ static void make(struct pole *p, const char *method, bool twigs)
         if (i < ROWS)
             beam_row(c, (size_t)i, below, (double[]){ 0, 0, z0 }, (double[]){ 0, 0, z1 }, radius, radius);
         else
-            beam_row(c, (size_t)i, below, (double[]){ 0, 0, z }, (double[]){ 0, 1.5, z }, 0.012, 0.012);
+            beam_row(c, (size_t)i, below, (double[]){ 0, 0, z }, (double[]){ 0, reach, z }, thin, thin);
         c->tree.level[i] = i >= ROWS;
         c->tree.youngs[i] = modulus, c->tree.shear[i] = modulus / 16, c->tree.density[i] = density;
         c->tree.drag[i] = drag, c->tree.strength[i] = 40e6;
@@ -54,6 +55,11 @@ static void make(struct pole *p, const char *method, bool twigs)
     wf_search_default(&p->an.search);
     p->an.tallness = height;
     if (wf_sway_set_up(&p->an, &c->options, &speed, 1, &c->arena, NULL, &c->err)) fail_msg("%s", c->err.text);
+}
+
+static void make(struct pole *p, const char *method, bool twigs)
+{
+    make_with(p, method, twigs ? TWIGS : 0, 1.5, 0.012);
 }
 
 static double mass_per_length(void) { return density * 3.14159265358979 * radius * radius; }
@@ -278,7 +284,7 @@ static void modes_of_a_pole(void **state)
     find_modes(&p, 0, 40, &m);
     for (size_t k = 12; k < 40; k++) along += m.mode[k].share[0], across += m.mode[k].share[1];
     assert_true(along > 0.96 && along < 1 + 1e-9 && across > 0.96 && across < 1 + 1e-9);
-    beam_free(&p.c);
+    wf_arena_free(&p.c.arena);
 }
 
 /* Whatever the direction of the wind, one mode of a pair moves along it, the other across; damped by the air
@@ -306,7 +312,33 @@ static void modes_in_wind(void **state)
     find_modes(&p, 0, 1, &m);
     assert_true(!m.damping_known);
     assert_close(m.mode[0].damping, 0.05, 1e-12);
-    beam_free(&p.c);
+    wf_arena_free(&p.c.arena);
+}
+
+/* A pole sways by itself; with a branch of almost its frequency two modes share its sway, and whether they
+ * are taken together depends on how wide a band is. */
+static void crowds(void **state)
+{
+    (void)state;
+    struct pole p;
+    double frequency[2], factor[2];
+    make(&p, "en1991", false);
+    wf_peak_doubt(p.an.peak, speed, frequency, factor);
+    assert_close(frequency[1], frequency[0], 1e-12);
+    assert_close(factor[0], wf_peak_gusts(p.an.peak, speed), 1e-12);
+    assert_close(factor[1], factor[0], 1e-12);
+    wf_arena_free(&p.c.arena);
+    make_with(&p, "en1991", 1, 4.06, 0.022);
+    wf_peak_doubt(p.an.peak, speed, frequency, factor);
+    double taken = wf_peak_gusts(p.an.peak, speed);
+    assert_true(frequency[1] > 1.005 * frequency[0] && factor[1] > 1.01 * factor[0]);
+    assert_true(factor[0] <= taken && taken <= factor[1]);
+    bool said = false;
+    struct wf_diag d = { .arena = &p.c.arena };
+    assert_false(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, &d, &p.c.err));
+    for (const struct wf_finding *f = d.first; f; f = f->next) said = said || !strcmp(f->code, "peak-crowd");
+    assert_true(said);
+    wf_arena_free(&p.c.arena);
 }
 
 int main(void)
@@ -322,6 +354,7 @@ int main(void)
         cmocka_unit_test(stand_of_a_held_crown),
         cmocka_unit_test(moments_of_stands),
         cmocka_unit_test(critical_at_the_peak),
+        cmocka_unit_test(crowds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -191,7 +191,10 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     struct wf_beam_check check;
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    enum wf_status status = solve_first(t, l, o, from, near, m, pieces, b, out, e);
+    struct wf_solve_options compared = *o; /* this mesh's solution is not the answer */
+    compared.tolerance = fmax(o->tolerance, 0.01 * o->mesh_tolerance);
+    enum wf_status status = solve_first(t, l, &compared, from, near, m, pieces, b, out, e);
+    b->options = o;
     if (status || !(o->mesh_tolerance > 0)) return status;
 
     status = wf_beam_check_make(t, work, &check, e);

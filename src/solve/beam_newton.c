@@ -208,7 +208,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     const double *first = wf_beam_base(b, 0, &lowest)->r;
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
-    b->misfit = (struct wf_beam_misfit){ 0 }, b->counted = false;
+    b->misfit = (struct wf_beam_misfit){ 0 }, b->counted = b->finished = false;
     if (count) count->negative = 0, count->bears = 0;
     if (!b->only) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     wf_beam_ends_load(b);
@@ -492,7 +492,7 @@ static bool newton_step(struct wf_beam *b, bool watch)
 {
     const double turn_limit = 3; /* [rad] rotation of a node in one step */
     /* relative residual before the last step: convergence is quadratic */
-    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.3);
+    const double near = fmin(fmax(1e-3, 3 * sqrt(b->options->tolerance)), 0.3);
     double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     struct wf_beam_stability count;
@@ -531,6 +531,28 @@ static bool stalls(const struct wf_beam *b, double was)
     return was <= small && relative(b) > hardly * was && !newton_converged(b);
 }
 
+/* The step that is likely the last is swept without the tangent, at a quarter of the cost. Whether the
+ * equilibrium is stable was then counted a step before. Returned: does it converge? If not, it was a step as
+ * any other, or nothing has changed. */
+static bool land(struct wf_beam *b, bool watch)
+{
+    const double tight = 1e-8, likely = 0.1;
+    const double t = b->options->tolerance;
+    const struct wf_beam_misfit before = b->misfit;
+    const bool counted = b->counted;
+    if (!(t <= tight && relative(b) <= likely * t) || (watch && !counted) || b->only || b->links)
+        return false;
+    if (!isfinite(newton_corrections(b))) return false;
+    apply_correction(b, 1);
+    if (wf_beam_sweep_down(b, false, NULL) && newton_converged(b)) {
+        b->counted = counted, b->finished = true;
+        b->iterations++;
+        return true;
+    }
+    apply_correction(b, -1);
+    return (void)(b->misfit = before), false;
+}
+
 static enum wf_status newton(struct wf_beam *b, bool watch)
 {
     enum { STALL = 16 }; /* where the square of the residual has not halved in so many, it seldom converges */
@@ -546,6 +568,7 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
             if (b->misfit.bending > 0.5 * before) return WF_ENOCONV;
             before = b->misfit.bending;
         }
+        if (land(b, watch)) return WF_OK;
         b->iterations++;
         double was = relative(b);
         if (!newton_step(b, watch)) return WF_ENOCONV;
@@ -575,6 +598,7 @@ bool wf_beam_rests(struct wf_beam *b) { return newton(b, true) == WF_OK && wf_be
 
 bool wf_beam_finish(struct wf_beam *b)
 {
+    if (b->finished) return true;
     if (!isfinite(newton_corrections(b))) return false;
     apply_correction(b, 1);
     return wf_beam_sweep_down(b, false, NULL);

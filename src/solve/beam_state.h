@@ -48,6 +48,7 @@ struct wf_beam {
     struct wf_beam_misfit misfit;       /* of the present shape */
     struct wf_beam_stability stability; /* of the present shape, where `counted` */
     bool counted;
+    bool finished; /* the last step of Newton's method was wf_beam_finish: there is no tangent of the shape */
     const struct wf_beam_only *only; /* the elements that move; NULL: all */
     struct wf_beam_only part;        /* room for such a list */
     bool *weak;   /* per element: set where it is unstable with all above it, when that is counted; NULL: not

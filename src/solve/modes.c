@@ -353,6 +353,7 @@ struct ritz {
     double *v[RITZ_MAX + 1];
     double T[RITZ_MAX * RITZ_MAX]; /* the operator in the space of v: diagonal and above */
     double value[RITZ_MAX], Q[RITZ_MAX * RITZ_MAX];
+    double share[2]; /* of the widest band, in smaller spaces */
     size_t n;
 };
 
@@ -408,20 +409,38 @@ static int widest_band(const struct ritz *r, double width, struct wf_modes_sway 
     return best;
 }
 
-/* Are the vectors of the widest band those of the whole tree? The residual of Ritz vector i is `left` times
- * its last number (Parlett 1998, The Symmetric Eigenvalue Problem, section 13.2). A band with more than half
- * of the turn stays the widest. */
-static bool band_settled(const struct ritz *r, double left, double width)
+/* Is Ritz vector i one of the whole tree? Its residual is `left` times its last number (Parlett 1998, The
+ * Symmetric Eigenvalue Problem, section 13.2). */
+static bool vector_settled(const struct ritz *r, double left, size_t i)
 {
-    const double enough = 1e-7; /* values and shares err by its square */
+    const double enough = 1e-5; /* values and shares err by its square */
+    return left * fabs(r->Q[(r->n - 1) * r->n + i]) <= enough * r->value[i];
+}
+
+/* Are the vectors of the widest band those of the whole tree, and does it stay the widest? Another has at
+ * most its own settled vectors and all that are not settled. Where that does not decide, its share has not
+ * changed while the space grew by four vectors. */
+static bool band_settled(struct ritz *r, double left, double width)
+{
+    const double alike = 1e-7;
     struct wf_modes_sway band;
     int middle = widest_band(r, width, &band);
-    if (middle < 0 || !(band.share > 0.5)) return false;
-    for (size_t i = 0; i < r->n; i++)
-        if (in_band(r, (size_t)middle, i, width) &&
-            !(left * fabs(r->Q[(r->n - 1) * r->n + i]) <= enough * r->value[i]))
-            return false;
-    return true;
+    double open = 0, other = 0, change = fmax(fabs(band.share - r->share[0]), fabs(band.share - r->share[1]));
+    r->share[0] = r->share[1], r->share[1] = band.share;
+    for (size_t i = 0; i < r->n && middle >= 0; i++) {
+        bool inside = in_band(r, (size_t)middle, i, width);
+        if (vector_settled(r, left, i)) continue;
+        if (inside) return false;
+        open += ritz_share(r, i);
+    }
+    for (size_t i = 0; i < r->n && middle >= 0; i++) {
+        double sum = 0;
+        if (in_band(r, (size_t)middle, i, width)) continue;
+        for (size_t j = 0; j < r->n; j++)
+            if (in_band(r, i, j, width) && vector_settled(r, left, j)) sum += ritz_share(r, j);
+        other = fmax(other, sum);
+    }
+    return middle >= 0 && (band.share > other + open || change <= alike);
 }
 
 /* Extend the space until its widest band is settled, or it is invariant or full. */
@@ -464,22 +483,25 @@ static void band_shape(struct ritz *r, size_t middle, double width, double inert
     for (size_t k = 0; k < 3 * b->mesh.tree->n; k++) shape[k] = b->sides[b->mesh.last[k / 3]].y[k % 3][0];
 }
 
-static enum wf_status find_sway(struct ritz *r, const double to[3], double width, struct wf_arena *work,
-                                struct wf_modes_sway *out, double *shape, struct wf_err *e)
+static enum wf_status find_sways(struct ritz *r, const double to[3], const double *width, size_t bands,
+                                 struct wf_arena *work, struct wf_modes_sway *out, double *shape,
+                                 struct wf_err *e)
 {
     if (!(r->v[0] = WF_TAKE(work, r->s.size, double)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-    out->inertia = rigid_motion(&r->s, to, true, r->v[0]);
-    enum wf_status s = ritz_space(r, width, work, e);
-    if (s) return s;
-    int middle = widest_band(r, width, out);
-    if (middle < 0) return wf_fail(e, WF_EUNSTABLE, "no stable sway of the tree");
-    band_shape(r, (size_t)middle, width, out->inertia, r->v[r->n], shape);
-    return WF_OK;
+    const double inertia = rigid_motion(&r->s, to, true, r->v[0]);
+    enum wf_status s = ritz_space(r, width[0], work, e);
+    for (size_t k = 0; k < bands && !s; k++) {
+        int middle = widest_band(r, width[k], &out[k]);
+        if (middle < 0) return wf_fail(e, WF_EUNSTABLE, "no stable sway of the tree");
+        out[k].inertia = inertia;
+        band_shape(r, (size_t)middle, width[k], inertia, r->v[r->n], shape + 3 * r->s.beam->mesh.tree->n * k);
+    }
+    return s;
 }
 
-enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], double width, struct wf_modes_sway *out,
-                             double *shape, struct wf_err *e)
+enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], const double *width, size_t bands,
+                             struct wf_modes_sway *out, double *shape, struct wf_err *e)
 {
     struct wf_arena work = { 0 };
     const struct wf_beam before = *b;
@@ -487,7 +509,7 @@ enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], double width
     enum wf_status s =
         r ? wf_beam_linearise(b, true, &work, e) : wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     if (!s) s = open_sway(&r->s, b, &work, e);
-    if (!s) s = find_sway(r, to, width, &work, out, shape, e);
+    if (!s) s = find_sways(r, to, width, bands, &work, out, shape, e);
     wf_arena_free(&work);
     *b = before;
     wf_beam_sweep_up(b);

@@ -69,15 +69,16 @@ struct wf_modes_sway {
     double inertia; /* of the tree about its base [kg m2] */
 };
 /* The modes with the largest share of the moment that inertia along a direction exerts on the base, of those
- * whose frequencies lie within `width` (relative) of each other: damped modes that near act as one, and the
+ * whose frequencies lie within width[0] (relative) of each other: damped modes that near act as one, and the
  * branches of a tree divide its sway among many. Given: a solved beam, which is left as it is; `to`, unit
- * vector. Returned: *out; shape (3n): displacement of each row's end in the part of a rigid turn about the
- * base by 1 that these modes have. Errors: WF_EUNSTABLE where no motion along it is stable; WF_ENOMEM.
- * Method: Ritz vectors of that turn (Wilson E.L., Yuan M.W., Dickens J.M. 1982, Earthquake Eng. Struct. Dyn.
- * 10:813-821), by Lanczos with full orthogonalisation: the shares of the Ritz values have the moments of the
- * distribution of inertia over squared periods. Wind acts as a dead load. */
-enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], double width, struct wf_modes_sway *out,
-                             double *shape, struct wf_err *e);
+ * vector; bands: how many widths, of which the others are for comparison, in the space that the first takes.
+ * Returned: out[bands]; shape (bands times 3n): displacement of each row's end in the part of a rigid turn
+ * about the base by 1 that these modes have. Errors: WF_EUNSTABLE where no motion along it is stable;
+ * WF_ENOMEM. Method: Ritz vectors of that turn (Wilson E.L., Yuan M.W., Dickens J.M. 1982, Earthquake Eng.
+ * Struct. Dyn. 10:813-821), by Lanczos with full orthogonalisation: the shares of the Ritz values have the
+ * moments of the distribution of inertia over squared periods. Wind acts as a dead load. */
+enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], const double *width, size_t bands,
+                             struct wf_modes_sway *out, double *shape, struct wf_err *e);
 
 /* Generalised Greenhill factor: the multiple of the weight (gravity of `l`, wood, burden, point masses) at
  * which the unloaded shape, prestressed by that weight, loses its stiffness (linear buckling; wind and other

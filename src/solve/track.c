@@ -16,10 +16,11 @@ struct form {
 /* A solution that others may start from. */
 struct station {
     double speed; /* of its wind [m/s] */
-    bool led;     /* `lead` is known: by how much the form changes to that of the other loads */
+    bool led;     /* `lead` is known: by how much the form changes to that of the other loads, */
+    double share; /* of a wind that is faster by this share */
     struct form at, lead;
 };
-enum { STATIONS = 6 };
+enum { STATIONS = 6, GOOD = 8 };
 
 struct wf_track {
     const struct wf_tree *tree;
@@ -32,8 +33,10 @@ struct wf_track {
     struct wf_wind wind; /* of the beam's loads after a solution: the caller's does not outlive it */
     double speed;        /* of the wind of the last solution [m/s] */
     size_t solutions;    /* on this mesh */
-    bool at_last;        /* begin at the last form of `like` */
-    bool solved, rested; /* there is a last form, a form at rest */
+    size_t good;         /* so many wind speeds at which it met the tolerance: */
+    double good_at[GOOD];
+    bool at_last;                         /* begin at the last form of `like` */
+    bool solved, rested;                  /* there is a last form, a form at rest */
     struct form last, lead, rest, before; /* before: the last one while the next is tried */
     size_t stations;
     struct station station[STATIONS];
@@ -145,13 +148,13 @@ static struct station *free_station(struct wf_track *k, double speed)
 }
 
 /* Keep the last solution. A fine mesh is made anew for a speed that is not near: there it is the only one. */
-static void keep_station(struct wf_track *k, bool led)
+static void keep_station(struct wf_track *k, bool led, double share)
 {
     if (!(k->speed > 0)) return;
     struct station *s = !coarse(k) && k->stations ? &k->station[0] : free_station(k, k->speed);
     if (!s) return; /* solutions will start elsewhere */
     s->speed = k->speed;
-    s->led = led;
+    s->led = led, s->share = share;
     copy_form(k, s->at, k->last);
     if (led) copy_form(k, s->lead, k->lead);
 }
@@ -162,15 +165,25 @@ static struct station *near_station(struct wf_track *k, double speed, double nea
     return s && apart(s->speed, speed) <= log(near) ? s : NULL;
 }
 
-/* Let the last solution be the one nearest to a speed: where it is nearer than `own` (NULL: any near one).
- * false: none is. */
+/* How the shape grows with the wind speed: between stiff trees (2) and streamlined ones. */
+static const double growth = 1.5;
+
+/* to: the form at a wind speed near that of a solution, along its derivative. */
+static void lead_on(const struct wf_track *k, struct form to, const struct station *s, double speed)
+{
+    if (s->led) add_form(k, to, (pow(speed / s->speed, growth) - 1) / (s->share * growth), s->lead);
+}
+
+/* Let the last form be that of the solution nearest to a speed, moved there along its derivative: where it is
+ * nearer than `own` (NULL: any near one). false: none is. */
 static bool recall(struct wf_track *k, double speed, const struct station *own)
 {
     const double nearer = 1.2, much = 4;
     const struct station *s = near_station(k, speed, nearer);
     if (!s || (own && !(much * apart(s->speed, speed) < apart(own->speed, speed)))) return false;
     copy_form(k, k->last, s->at);
-    k->speed = s->speed;
+    lead_on(k, k->last, s, speed);
+    k->speed = s->led ? speed : s->speed;
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
     return true;
@@ -189,7 +202,7 @@ static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, co
     for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? wf_beam_pieces(mesh, i) : first;
     wf_arena_free(&k->work);
     k->rested = false;
-    k->solutions = 1;
+    k->solutions = 1, k->good = 0;
     enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
     wf_arena_free(&scratch);
     return s ? s : take_forms(k, e);
@@ -207,7 +220,7 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
     if (k->rested) keep(k, k->rest);
     k->speed = k->at_last ? k->like->speed : 0;
     k->solved = true;
-    keep_station(k, false);
+    keep_station(k, false, 0);
     return WF_OK;
 }
 
@@ -233,8 +246,13 @@ static void carry_forms(struct wf_track *k, struct wf_track *before)
         struct station *s = free_station(k, before->station[i].speed);
         if (!s) break;
         s->speed = before->station[i].speed;
-        s->led = false;
+        s->led = before->station[i].led, s->share = before->station[i].share;
         carry_form(k, &before->beam, before->station[i].at, s->at);
+        if (s->led) {
+            add_form(before, before->station[i].lead, 1, before->station[i].at);
+            carry_form(k, &before->beam, before->station[i].lead, s->lead);
+            add_form(k, s->lead, -1, s->at);
+        }
     }
     put_back(k, k->last);
 }
@@ -247,7 +265,7 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->work = (struct wf_arena){ 0 };
     k->rested = k->solved = false;
     k->stations = 0;
-    k->solutions = 1;
+    k->solutions = 1, k->good = 0;
     if (from == &k->beam) from = &before.beam;
     enum wf_status s =
         wf_beam_solve(k->tree, l, &k->options, from, from, &k->work, &k->work, &k->beam, &k->outcome, e);
@@ -277,7 +295,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
             *k = before;
             return remesh(k, l, &k->beam, e);
         }
-        k->solutions = 1;
+        k->solutions = 1, k->good = 0;
         k->beam.k0 = NULL, k->beam.options = &k->options, k->beam.loads = *l;
         s = take_forms(k, e);
     }
@@ -286,15 +304,24 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
     return s;
 }
 
+/* The mesh is looked at a step of Newton's method further: what the method has left of the weight's
+ * equilibrium is not small beside what a light wind moves. A mesh that meets the tolerance gets the shape
+ * back, of which it has the tangent. */
 static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
 {
     bool meets;
     if (one_mesh(k)) return WF_OK;
     struct wf_arena scratch = { 0 };
+    struct wf_beam *b = &k->beam;
     int32_t *pieces = WF_TAKE(&scratch, k->tree->n, int32_t);
-    enum wf_status s = pieces ? wf_beam_mesh_meets(&k->beam, k->options.mesh_tolerance, &meets, pieces, e)
-                              : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
+    enum wf_status s =
+        pieces ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
+    keep(k, k->before);
+    bool further = !s && wf_beam_finish(b);
+    if (!s) s = wf_beam_mesh_meets(b, k->options.mesh_tolerance, &meets, pieces, e);
     if (!s && !meets) s = refine(k, l, pieces, e);
+    if (!s && meets && l->wind && k->good < GOOD) k->good_at[k->good++] = l->wind->speed;
+    if (!s && meets && further) put_back(k, k->before), wf_beam_sweep_up(b);
     wf_arena_free(&scratch);
     return s;
 }
@@ -365,18 +392,75 @@ static bool approach(struct wf_track *k, const struct wf_loads *l, double from, 
     return false;
 }
 
-/* Put the unknowns where Newton's method is to start: at the nearest solution, moved along its derivative
- * where it is near. The shape moves with the power 1.5 of the speed, between stiff trees (2) and streamlined
- * ones. Returned: the wind speed of k->last, which it starts from. */
-static double put_start(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start)
+/* The solutions with derivatives that are next below and above a wind speed; NULL: none. */
+static void stations_beside(const struct wf_track *k, double speed, const struct station *beside[2])
 {
-    const double power = 1.5, to = wind_of(l);
-    const struct station *s = nearest_station(k, to);
+    beside[0] = beside[1] = NULL;
+    for (size_t i = 0; i < k->stations; i++) {
+        const struct station *s = &k->station[i], **at = &beside[s->speed > speed];
+        if (s->led && (!*at || apart(s->speed, speed) < apart((*at)->speed, speed))) *at = s;
+    }
+}
+
+/* The unknowns at a wind speed between those of two solutions, by their values and derivatives: cubic in the
+ * square of the speed, with which the shape of a stiff tree grows. */
+static void put_between(struct wf_track *k, const struct station *low, const struct station *high,
+                        double speed)
+{
+    const double a = low->speed * low->speed, b = high->speed * high->speed,
+                 s = (speed * speed - a) / (b - a), rest = 1 - s;
+    /* lead / (2 share a): the derivative by the square of the speed */
+    put_back(k, low->at);
+    add_form(k, form_of(&k->beam), -s * s * (3 - 2 * s), low->at);
+    add_form(k, form_of(&k->beam), s * s * (3 - 2 * s), high->at);
+    add_form(k, form_of(&k->beam), s * rest * rest * (b - a) / (2 * low->share * a), low->lead);
+    add_form(k, form_of(&k->beam), -s * s * rest * (b - a) / (2 * high->share * b), high->lead);
+}
+
+/* The form at a wind speed clearly below that of a solution, the nearest; *at: its speed. NULL: none. */
+static const struct form *form_below(const struct wf_track *k, double speed, double *at)
+{
+    const double clearly = 0.9;
+    const struct form *out = k->rested ? &k->rest : NULL;
+    *at = 0;
+    for (size_t i = 0; i < k->stations; i++) {
+        const struct station *s = &k->station[i];
+        if (s->speed < clearly * speed && (!out || s->speed > *at)) out = &s->at, *at = s->speed;
+    }
+    return out;
+}
+
+/* Move the unknowns from a solution on, by as much as they changed to it from that below. */
+static void move_on(struct wf_track *k, const struct station *s, double to)
+{
+    const double most = 2;
+    double low;
+    const struct form *below = form_below(k, s->speed, &low);
+    if (!below || to > most * s->speed) return;
+    double from = pow(s->speed, growth), part = (pow(to, growth) - from) / (from - pow(low, growth));
+    add_form(k, form_of(&k->beam), part, s->at);
+    add_form(k, form_of(&k->beam), -part, *below);
+}
+
+/* Put the unknowns where Newton's method is to start: between solutions on both sides, or at the nearest
+ * solution, moved along its derivative where it is near. The shape moves with the power 1.5 of the speed,
+ * between stiff trees (2) and streamlined ones. Returned: the wind speed of k->last, which it starts from. */
+static double put_start(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
+                        bool between)
+{
+    const double to = wind_of(l);
+    const struct station *s = nearest_station(k, to), *beside[2];
     bool close = near_station(k, to, WF_TRACK_NEAR);
     if (start->other && recall(start->other, to, close ? s : NULL)) {
         wf_beam_carry(&start->other->beam, &k->beam);
         keep(k, k->last);
         return start->other->speed;
+    }
+    stations_beside(k, to, beside);
+    if (between && to > 0 && beside[0] && beside[1]) {
+        copy_form(k, k->last, s->at);
+        put_between(k, beside[0], beside[1], to);
+        return s->speed;
     }
     if (k->rested && (!s || to < 0.5 * s->speed)) {
         put_back(k, k->rest);
@@ -386,22 +470,41 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
     if (s) copy_form(k, k->last, s->at);
     put_back(k, k->last);
     if (close && s->led)
-        add_form(k, form_of(&k->beam), (pow(to / s->speed, power) - 1) / (start->share * power), s->lead);
+        lead_on(k, form_of(&k->beam), s, to);
+    else if (between && s && to > s->speed)
+        move_on(k, s, to);
     return s ? s->speed : k->speed;
 }
 
-enum { CHECKED = 4 }; /* every fourth solution is compared with one on a finer mesh */
-
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
 
-/* From the nearest solution: Newton's method, then all that the beam solver does. */
+/* Is the next solution to be compared with one on a finer mesh? Every fourth is, unless the mesh was found
+ * good near its wind speed, or below and above it and neither far. */
+static bool check_is_due(const struct wf_track *k, double speed)
+{
+    enum { CHECKED = 4 };
+    const double far = 3;
+    bool below = false, above = false;
+    if (keeps_mesh(k) || (k->solutions + 1) % CHECKED) return false;
+    for (size_t i = 0; i < k->good && speed > 0; i++) {
+        const double at = k->good_at[i];
+        if (apart(at, speed) <= log(WF_TRACK_NEAR)) return false;
+        below = below || (at < speed && speed <= far * at);
+        above = above || (at > speed && at <= far * speed);
+    }
+    return !(below && above);
+}
+
+/* From solutions beside this one, unless that was tried: Newton's method, then all that the beam solver does.
+ */
 static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
-                            struct wf_err *e)
+                            bool tried, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
     struct wf_arena scratch = { 0 };
     enum wf_status s = WF_OK;
-    double from = put_start(k, l, start);
+    const bool due = check_is_due(k, wind_of(l));
+    double from = put_start(k, l, start, !tried);
     b->iterations = b->steps = 0;
     k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
     if (!comes_to_rest(k, l, &scratch) && !approach(k, l, from, &scratch) && !start_anew(k, l)) {
@@ -413,7 +516,8 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     b->k0 = NULL;
     wf_arena_free(&scratch);
     b->loads = *l;
-    return s || keeps_mesh(k) || ++k->solutions % CHECKED ? s : check_mesh(k, l, e);
+    k->solutions++;
+    return s || !due ? s : check_mesh(k, l, e);
 }
 
 /* The answer, and that at the other loads: one Newton step further at each, of which the first takes away
@@ -455,9 +559,8 @@ static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, c
 {
     struct wf_beam *b = &k->beam;
     bool stable = false;
-    if (!keeps_mesh(k) && (k->solutions + 1) % CHECKED == 0) return WF_OK;
     copy_form(k, k->before, k->last);
-    (void)put_start(k, l, start);
+    (void)put_start(k, l, start, true);
     b->iterations = b->steps = 0;
     b->loads = *l;
     b->options = &k->follow;
@@ -485,21 +588,23 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
     bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), WF_TRACK_NEAR)), done = false;
-    if (on && side && !start->alone) s = solve_soon(k, l, side, start, a, out, &done, e);
+    bool soon = on && side && !start->alone && !check_is_due(k, wind_of(l));
+    if (soon) s = solve_soon(k, l, side, start, a, out, &done, e);
     if (s) return s;
-    if (!done) s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);
+    if (!done) s = on ? go_on(k, l, start, soon, e) : begin(k, l, start->other, e);
     out->at.load_factor = k->outcome.load_factor;
     if (s) return s;
     out->irregular = k->beam.loose > 0 || k->outcome.beyond_limit;
+    if (!side && !done) out->finished = wf_beam_finish(&k->beam);
     if (!done) keep(k, k->last);
     k->solved = true;
     k->speed = wind_of(l);
     if (!l->wind) keep(k, k->rest);
     k->rested = k->rested || !l->wind;
     if (side && !done) s = read_both(k, side, start->alone, NULL, a, out, e);
-    if (!out->sided && !(start->alone && out->finished)) wf_beam_read(&k->beam, &out->at);
+    if (!out->sided && !(side && start->alone && out->finished)) wf_beam_read(&k->beam, &out->at);
     out->at.load_factor = k->outcome.load_factor;
-    keep_station(k, out->sided);
+    keep_station(k, out->sided, start->share);
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
     return s;
@@ -522,9 +627,9 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     return s;
 }
 
-enum wf_status wf_track_sway(struct wf_track *k, const double to[3], double width, struct wf_modes_sway *out,
-                             double *shape, struct wf_err *e)
+enum wf_status wf_track_sway(struct wf_track *k, const double to[3], const double *width, size_t bands,
+                             struct wf_modes_sway *out, double *shape, struct wf_err *e)
 {
     if (!k->solved) return wf_fail(e, WF_EINTERNAL, "there is no solution to sway about");
-    return wf_modes_sway(&k->beam, to, width, out, shape, e);
+    return wf_modes_sway(&k->beam, to, width, bands, out, shape, e);
 }

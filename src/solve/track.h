@@ -52,6 +52,6 @@ struct wf_modes_sway; /* solve/modes.h */
 /* The sway of the tree about its last solution; as wf_modes_sway. Errors: also WF_EINTERNAL where there is
  * none.
  */
-enum wf_status wf_track_sway(struct wf_track *k, const double to[3], double width, struct wf_modes_sway *out,
-                             double *shape, struct wf_err *e);
+enum wf_status wf_track_sway(struct wf_track *k, const double to[3], const double *width, size_t bands,
+                             struct wf_modes_sway *out, double *shape, struct wf_err *e);
 #endif

@@ -148,24 +148,25 @@ static double secant_exponent(const struct wf_peak *p, double mean, double ratio
     return fmax(0.0, 2.0 + log(gust / at) / log(ratio));
 }
 
-static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
+/* Given: the sway; NULL: unknown. */
+static void parts_swaying(const struct wf_peak *p, double speed, enum wf_part part,
+                          const struct wf_sway *sway, struct wf_peak_parts *out)
 {
     const double least = 0.5; /* [m/s] */
     struct wf_gust_case c = p->tree;
     c.open = fmax(speed, least);
     c.mean = fmax(speed * p->profile, least);
     parts_none(out);
-    if (p->sways) {
-        struct wf_sway sway = sway_at(p, speed);
-        out->frequency = sway.frequency;
-        out->participation = sway.participation;
-        out->mass = sway.mass;
-        out->air = sway.air;
+    if (sway) {
+        out->frequency = sway->frequency;
+        out->participation = sway->participation;
+        out->mass = sway->mass;
+        out->air = sway->air;
     } else {
         out->frequency = most_resonant(p, c.mean);
     }
     c.frequency = out->frequency;
-    c.damping = out->damping = wf_peak_damping(p->damping, p->damping_known, p->sways ? out->air : 0.0);
+    c.damping = out->damping = wf_peak_damping(p->damping, p->damping_known, sway ? out->air : 0.0);
     c.small = part == WF_PART_BRANCHES;
     p->rule->parts(&c, &out->gust);
     if (p->law) {
@@ -173,6 +174,27 @@ static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part,
         p->rule->parts(&c, &out->gust);
     }
     out->factor = fmax(out->gust.factor, p->least);
+}
+
+static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
+{
+    struct wf_sway sway = { 0 };
+    if (p->sways) sway = sway_at(p, speed);
+    parts_swaying(p, speed, part, p->sways ? &sway : NULL, out);
+}
+
+void wf_peak_doubt(const struct wf_peak *p, double speed, double frequency[2], double factor[2])
+{
+    struct wf_peak_parts parts;
+    wf_peak_parts_at(p, speed, WF_PART_STEM, &parts);
+    frequency[0] = frequency[1] = parts.frequency;
+    factor[0] = factor[1] = parts.factor;
+    for (size_t k = 0; p && k < p->others; k++) {
+        parts_swaying(p, speed, WF_PART_STEM, &p->other[k], &parts);
+        frequency[0] = fmin(frequency[0], parts.frequency),
+        frequency[1] = fmax(frequency[1], parts.frequency);
+        factor[0] = fmin(factor[0], parts.factor), factor[1] = fmax(factor[1], parts.factor);
+    }
 }
 
 static const char steady[] = "The steady wind alone: no gusts, no resonance. Loads of real wind are higher";

@@ -23,7 +23,7 @@ struct wf_sway {
     double air;           /* aerodynamic damping, not limited, of critical [-] */
 };
 
-enum { WF_PEAK_SWAYS = 12 };
+enum { WF_PEAK_SWAYS = 12, WF_PEAK_OTHERS = 2 };
 /* The peak load of one tree in the wind from one direction; by wf_sway_set_up (study/sway.h). */
 struct wf_peak {
     const struct wf_peak_method *method;
@@ -48,8 +48,10 @@ struct wf_peak {
     size_t sways;    /* 0: unknown, the frequency of most resonance is taken */
     struct wf_sway sway[WF_PEAK_SWAYS];
     double slope[2][WF_PEAK_SWAYS]; /* of frequency and air by speed */
-    const double *still; /* 3n: displacements of the rows' ends in the first sway, that in still air; NULL: not
-                            kept */
+    size_t others; /* sways at the highest specified speed of other choices of modes (study/sway.c) */
+    struct wf_sway other[WF_PEAK_OTHERS];
+    const double *still; /* 3n: displacements of the rows' ends in the first sway, that in still air; NULL:
+                            not kept */
 };
 
 /* What a peak load was computed from; NAN: the method does not use it. */
@@ -85,6 +87,9 @@ void wf_peak_parts_at(const struct wf_peak *p, double speed, enum wf_part part, 
 double wf_peak_factor(const struct wf_peak *p, double speed, enum wf_part part);
 /* G of the load on the tree: peak over mean [-]. */
 double wf_peak_gusts(const struct wf_peak *p, double speed);
+/* Least and largest frequency of the sway [Hz] and G [-] by what is taken for the sway: one number each where
+ * modes do not crowd. p as above. */
+void wf_peak_doubt(const struct wf_peak *p, double speed, double frequency[2], double factor[2]);
 /* Ratio of the wind that the loads are computed in to the named wind at the tree: 1, or that of the gust. */
 double wf_peak_wind(const struct wf_peak *p, enum wf_part part);
 /* Total damping from the structural one and that of the air, within limits of ours; `known`: the structural

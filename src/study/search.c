@@ -314,6 +314,7 @@ static enum wf_status search_by_steps(struct search *q, const struct wf_solve_op
     if (s || !reached(c)) return s;
     q->o = fine;
     bool found = c->outcome == WF_CRITICAL_FOUND;
+    if (!found) q->o = quick; /* of a tree that fails at rest the place alone is wanted */
     s = found ? polish(q, c, &at, e) : search_totals(q, 0.0, &at, e);
     const struct wf_worst *worst = &at.worst[q->criterion][q->scope];
     if (s || at.status || worst->row < 0) return s;

@@ -527,11 +527,20 @@ enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const d
     return s;
 }
 
+/* Share by which the wind is faster where slopes are taken: small against what bends the response, large
+ * against what Newton's method has left of the weight's equilibrium, which in a light wind is not small
+ * beside the wind's answer. */
+static double share_of(double speed)
+{
+    const double most = 1e-4, light = 0.5; /* [m/s] */
+    return most / (1.0 + speed * speed / (light * light));
+}
+
 enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *k,
                               double speed, const struct wf_track_start *near, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e)
 {
-    const double share = 3e-7;
+    const double share = share_of(speed);
     struct wf_wind wind, more;
     struct wf_loads loads, side;
     struct wf_tracked t;
@@ -546,7 +555,8 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     s = note_status(s, &why, &out->at, e);
     if (!s && !out->at.status) s = fill_totals(an, &loads, NULL, a, &out->at, e);
     if (s || out->at.status || !t.sided) return s;
-    out->step = share * speed;
+    out->step = speed * share * (1.0 + 0.5 * share); /* the answer to the side's loads, which grow about with
+                                                        the square of the speed, is that of first order */
     out->side.response = t.side;
     return fill_totals(an, &side, &out->at.breakage, a, &out->side, e);
 }

@@ -96,22 +96,28 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
                              .air = air / (2.0 * WF_TURN * m->frequency * modal) };
 }
 
-static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
+/* Of a sway's frequency: half the width of a mode with a damping of 0.1; and bands for comparison, of damping
+ * between 0.08 and 0.125: in a crowd of modes a mode at the edge decides. */
+enum { BANDS = 1 + WF_PEAK_OTHERS };
+static const double band[BANDS] = { 0.1, 0.08, 0.125 };
 
-/* Add the sway at a speed, with its shape (3n). Given: the next speed. Returned: whether the tree has a state
- * in that mean wind. */
+/* Add the sway at a speed, with its shapes (3n each). Given: the next speed; with `compared` also those of
+ * other bands. Returned: whether the tree has a state in that mean wind. */
 static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double speed,
-                     double next, double *shape)
+                     double next, bool compared, double *shape)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
-    struct wf_modes_sway m;
+    struct wf_modes_sway m[BANDS];
     struct wf_err why = { 0 };
+    const size_t bands = compared ? BANDS : 1;
     const struct wf_track_start near = { .alone = next > WF_TRACK_NEAR * speed };
     enum wf_status s = wf_speed_track(an, WF_PART_MEAN, track, speed, &near, &scratch, &r, &why);
-    bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, &m, shape, &why);
+    bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, bands, m, shape, &why);
     if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
-    if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m, shape);
+    if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m[0], shape);
+    for (size_t k = 1; k < bands && known; k++)
+        p->other[p->others++] = sway_of(an, &r.at, &m[k], shape + 3 * an->tree.n * k);
     wf_arena_free(&scratch);
     return known;
 }
@@ -171,21 +177,26 @@ static double profile_at(const struct wf_analysis *an, double z)
 static const double rough = 3e-4; /* of the mesh that sways are found on: with 1e-3 a mode at the edge of the
                                      band of a willow's sway moved its gust factor by 3e-3 */
 
-/* Sways at speeds in rising order, until there is no state in the mean wind. */
+/* Sways at speeds in rising order, until there is no state in the mean wind. Given: the highest specified
+ * speed, at which, or at the next below, bands are compared. */
 static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
-                                 const struct wf_solve_options *o, double *at, size_t k, struct wf_arena *a,
-                                 struct wf_err *e)
+                                 const struct wf_solve_options *o, double *at, size_t k, double highest,
+                                 struct wf_arena *a, struct wf_err *e)
 {
     struct wf_solve_options coarse = *o;
     struct wf_track *track;
-    double *first = WF_TAKE(a, 3 * an->tree.n, double), *shape = WF_TAKE(a, 3 * an->tree.n, double);
+    double *first = WF_TAKE(a, 3 * an->tree.n, double), *shape = WF_TAKE(a, BANDS * 3 * an->tree.n, double);
     if (!first || !shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     qsort(at, k, sizeof *at, wf_ascending);
     if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, rough);
+    coarse.tolerance = fmax(o->tolerance, 3e-5); /* squared by the last step of Newton's method */
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
-    for (size_t i = 0; i < k && !wf_interrupted(); i++)
-        if (!add_sway(an, p, track, at[i], i + 1 < k ? at[i + 1] : INFINITY, i ? shape : first)) break;
+    for (size_t i = 0; i < k && !wf_interrupted(); i++) {
+        double next = i + 1 < k ? at[i + 1] : INFINITY;
+        bool compared = i > 0 && at[i] <= highest && next > highest;
+        if (!add_sway(an, p, track, at[i], next, compared, i ? shape : first)) break;
+    }
     wf_track_close(track);
     wf_peak_sways_take(p);
     if (p->sways && at[0] == 0.0) p->still = first;
@@ -195,6 +206,21 @@ static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p
 /* Of a tree in a stand: the square of the gust factor 2.1 measured over 15 months at the canopy top of a
  * Sitka spruce plantation (abstract of "Extreme wind speeds over a Sitka spruce plantation in Scotland"). */
 static const double stand_factor = 4.4;
+
+/* Where the sway is that of a crowd of modes, and which of them are taken changes the load. */
+static void note_crowd(const struct wf_peak *p, const char *name, double speed, struct wf_diag *d)
+{
+    const double slight = 0.005; /* of the gust load factor */
+    double frequency[2], factor[2], taken = wf_peak_gusts(p, speed);
+    wf_peak_doubt(p, speed, frequency, factor);
+    if (factor[1] - factor[0] <= slight * taken) return;
+    wf_diag_warn(
+        d, "peak-crowd",
+        "%s: in wind of %.3g m/s the tree sways in a crowd of modes, and which of them act together is "
+        "not certain: %.3g to %.3g Hz; the gust load factor lies between %.4g and %.4g, and %.4g is "
+        "taken",
+        name, speed, frequency[0], frequency[1], factor[0], factor[1], taken);
+}
 
 /* Where a method is used beyond its validity or on little knowledge, at the highest given wind. */
 static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, double speed,
@@ -219,6 +245,7 @@ static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, d
                      "%% of the "
                      "overturning by inertia; no sway of the tree carries more (%.0f %% are wanted)",
                      name, at.frequency, 100.0 * at.participation, 100.0 * share);
+    note_crowd(p, name, speed, d);
     if (p->least > 0.0)
         wf_diag_warn(
             d, "peak-stand",
@@ -298,7 +325,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     size_t k = pick_speeds(an, speeds, n, at);
     enum wf_status s = begin(an, a, &p, e);
     if (s) return s;
-    if (p->method->sways) s = find_sways(an, p, o, at, k, a, e);
+    if (p->method->sways) s = find_sways(an, p, o, at, k, n ? speeds[n - 1] : 0.0, a, e);
     an->peak = p;
     if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
     if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
@@ -340,7 +367,7 @@ static void take_alike(struct wf_peak *p, const struct wf_peak *like, const stru
     double mass = own->mass / other->mass;
     double frequency = sqrt(other->compliance / own->compliance / mass);
     double air = own->drag / other->drag / (mass * frequency);
-    p->sways = like->sways;
+    p->sways = like->sways, p->others = 0;
     p->tree.breadth = like->tree.breadth;
     for (size_t i = 0; i < p->sways; i++) {
         p->sway[i] = like->sway[i];
@@ -460,7 +487,7 @@ static enum wf_status find_state(const struct wf_analysis *an, const struct wf_s
     if (s) return s;
     s = wf_speed_track(an, WF_PART_MEAN, track, speed, NULL, a, &at, e);
     if (!s && at.at.status) s = wf_fail(e, at.at.status, "%s", wf_status_text(at.at.status));
-    if (!s) s = wf_track_sway(track, an->wind.direction, band, &m, shape, e);
+    if (!s) s = wf_track_sway(track, an->wind.direction, band, 1, &m, shape, e);
     wf_track_close(track);
     if (s) return s;
     *r = at.at.response;
