@@ -135,6 +135,27 @@ static void printed(void **state)
     CHECK(rows);
 }
 
+/* A spruce without needles is a dead one: that is said, also where a scenario alone is without. */
+static void evergreen(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "for s in norway_spruce japanese_larch eucalypt oak; do for x in --leaf-off '--scenarios "
+          "season=leaf_off' '--season "
+          "leaf_off'; do $W assess --species $s --height 20 --girth 1.2 --crown-width 5 --crown-base 3 "
+          "--wind 20 --samples 0 "
+          "$x 2>&1 | grep -c 'keeps its leaves in winter'; done; done | tr -d '\n'",
+          CODE_OK,
+          { "111000111000" } },
+        { TREE
+          "$W analyze scots_pine --tree $T/t.csv --wind 20 --no-report --leaf-area 20 --samples 0 -o $T/a "
+          "--scenarios season=leaf_off",
+          CODE_OK,
+          { "[evergreen]: Scots pine keeps its leaves" } },
+    };
+    CHECK(rows);
+}
+
 #define BAD(what)                                                                                            \
     TREE "$W analyze ash --tree $T/t.csv --wind 20 --no-report --samples 0 -o $T/a --scenarios " what
 static void refused(void **state)
@@ -180,6 +201,7 @@ static void refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(as_alone), cmocka_unit_test(force_when_lost),
-                                        cmocka_unit_test(printed), cmocka_unit_test(refused) };
+                                        cmocka_unit_test(printed), cmocka_unit_test(evergreen),
+                                        cmocka_unit_test(refused) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
