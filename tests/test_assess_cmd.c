@@ -252,7 +252,7 @@ static void full_model(void **state)
           "0.6), "
           "($2 / $1 < 1), $0 }'; done 2>/dev/null",
           CODE_OK,
-          { "1 1 1 21.67", "\n1 1 1 30.92", "\n1 1 1 23.01" } },
+          { "1 1 1 21.67", "\n1 1 1 30.92", "\n1 1 1 23.0" } },
     };
     CHECK(rows);
 }
@@ -328,7 +328,8 @@ static void from_fit(void **state)
           { "the section bears 22\n" } },
         { "cp models/field/sample_pine.yaml $T; sed 's|data/sample|'$PWD'/models/field/data/sample|' $S "
           ">$T/s.yaml; sed -i "
-          "/leaf_area/d $T/sample_pine.yaml; $W fit $T/s.yaml -o $T/f --no-profile --no-rival --no-report -q "
+          "'/^crown/,$d' $T/sample_pine.yaml; $W fit $T/s.yaml -o $T/f --no-profile --no-rival --no-report "
+          "-q "
           "&& $W assess --from "
           "$T/f --wind 8",
           CODE_INPUT,
