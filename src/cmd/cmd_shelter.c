@@ -89,8 +89,8 @@ const struct wf_option wf_shelter_options[] = {
 };
 
 static const char about[] =
-    "  Cut a tree across the wind into slabs, project each on a grid, and compute the wind that its "
-    "branches\n  and leaves leave inside and behind it; bend the tree in that wind and in the open, side by "
+    "Cut a tree across the wind into slabs, project each on a grid, and compute the wind that its "
+    "branches and leaves leave inside and behind it; bend the tree in that wind and in the open, side by "
     "side.\n"
     "\n"
     "  windfirm shelter --model scots_pine --species scots_pine --wind 15\n"

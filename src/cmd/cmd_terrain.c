@@ -57,9 +57,9 @@ static const struct wf_option options[] = {
 };
 
 static const char about[] =
-    "  Generate ground by the diamond-square rule or read it, and give each place its exposure: "
-    "topex-to-distance\n"
-    "  (Hannah et al. 1995) and the speed-up of the wind over low hills (Jackson & Hunt 1975).\n"
+    "Generate ground by the diamond-square rule or read it, and give each place its exposure: "
+    "topex-to-distance (Hannah et al. 1995) and the speed-up of the wind over low hills (Jackson & Hunt "
+    "1975).\n"
     "\n"
     "  windfirm terrain --size 8 --relief 40 --seed 3 --from 240\n"
     "  windfirm terrain --dem heights.asc --positions trees.csv -o out/site";

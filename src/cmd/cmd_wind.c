@@ -117,12 +117,12 @@ const struct wf_option wf_wind_options[] = {
 };
 
 static const char about[] =
-    "  Make a wind that changes with time, compare it with what was specified, write and draw it.\n"
-    "  MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
-    "frequency,\n"
-    "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) or makes it from a station's record, and "
-    "draws it;\n"
-    "  `windfirm wind extremes` says how often a wind is exceeded (`windfirm wind extremes --help`).\n"
+    "Make a wind that changes with time, compare it with what was specified, write and draw it. "
+    "MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
+    "frequency, weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) or makes it from a station's "
+    "record, "
+    "and draws it; `windfirm wind extremes` says how often a wind is exceeded (`windfirm wind extremes "
+    "--help`).\n"
     "\n"
     "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
     "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms\n"

@@ -33,6 +33,8 @@ const char *wf_import_word(size_t i);
  * "--no-plots"; `in`: a struct wf_pages (cmd/commands.h). */
 #define WF_QUIET_ROW QUIET("print errors only")
 #define WF_LANGUAGE_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of the report")
+/* The same of a command without a page. */
+#define WF_SPOKEN_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of what is printed")
 #define WF_UNITS_ROW(m)                                                                                      \
     WORD("--units", m, "SYSTEM", wf_page_units_word, "metric",                                               \
          "of the printed page and of what the terminal says; results.json and tables stay in SI, columns "   \
