@@ -205,7 +205,7 @@ static void test_names(void **state)
         { "$W tree info -s poplr $D/plain.csv", CODE_INPUT, { "did you mean 'poplar'?" } },
         { "sed 's/species: scots_pine/species: scots_pin/' $S >$T/f.yaml; $W fit $T/f.yaml",
           CODE_INPUT,
-          { "did you mean 'scots_pine'?" } },
+          { "did you mean 'scots_pine'" } },
         { "$W papers tang201", CODE_INPUT, { "did you mean 'tang2012'?" } },
         { "$W papers lst", CODE_INPUT, { "did you mean 'list'?" } },
         { "$W papers list", CODE_OK, { "tang2012", "feng1999", "zhao2013", "source: " } },
