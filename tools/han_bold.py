@@ -15,7 +15,7 @@ text = ''.join(open(name, encoding='utf-8').read() for name in words)
 font = TTFont(face, fontNumber=2)  # of the collection: SC
 options = subset.Options(layout_features=[], hinting=False, desubroutinize=True)
 few = subset.Subsetter(options)
-few.populate(unicodes=[ord(c) for c in set(text) if ord(c) > 0x2e7f])
+few.populate(unicodes=[ord(c) for c in {" ", "\u00a0", *text} if ord(c) > 0x2e7f or c in " \u00a0"])  # blanks between such characters
 few.subset(font)
 outlines, order, glyphs = font.getGlyphSet(), font.getGlyphOrder(), {}
 for name in order:
