@@ -378,9 +378,6 @@ static void from_fit(void **state)
         { "$W analyze oak $RUN -q; $W assess --from $T/out --wind 8",
           CODE_INPUT,
           { "is no results folder of windfirm fit" } },
-        { "$W assess --from $T --wind 8 --reduce 10%",
-          CODE_INPUT,
-          { "--reduce: has no effect with a fit, whose tree has branches" } },
     };
     CHECK(rows);
 }

@@ -135,6 +135,61 @@ static void printed(void **state)
     CHECK(rows);
 }
 
+/* A drawn crown that is cut back is the tree drawn with shorter branches: four of them from the top of the
+ * stem, by half of their length, by a share or as a length. Half of the leaves taken out is half of the leaf
+ * area. */
+static void reduced(void **state)
+{
+    (void)state;
+#define FORK(file, x, z, r)                                                                                  \
+    "printf 'id,parent,x0,y0,z0,x1,y1,z1,radius0,radius1,level\\n1,0,0,0,0,0,0,4,0.15,0.14,0\\n2,1,0,0,4," x \
+    ",0," z ",0.05," r ",1\\n3,1,0,0,4,-" x ",0," z ",0.05," r ",1\\n4,1,0,0,4,0," x "," z ",0.05," r        \
+    ",1\\n5,1,0,0,4,0,-" x "," z ",0.05," r ",1\\n' >$T/" file ".csv; "
+#define OAK(file) "$W analyze oak --tree $T/" file ".csv --wind 20 --samples 0 --no-report -o $T/" file " "
+    static const struct row rows[] = {
+        { FORK("a", "2", "6", "0.01") FORK("b", "1", "5", "0.03")
+              OAK("a") "--scenarios reduce=50%,reduce=1.414213562m >/dev/null 2>&1; " OAK(
+                  "b") "--remove id:5 >/dev/null 2>&1; cut -d, -f5-8,10 $T/a/tables/scenarios.csv | sed -n "
+                       "3,4p >$T/x; cut -d, "
+                       "-f5-8,10 $T/b/tables/scenarios.csv | sed -n 2p >$T/y; cat $T/x $T/y | awk -F, '{ for "
+                       "(i = 1; i <= 5; "
+                       "i++) if (NR > 1 && ($i / f[i] > 1.00001 || $i / f[i] < 0.99999)) bad = bad \" \" "
+                       "$i \"/\" f[i]; split($0, "
+                       "f, \",\") } END { print NR, bad ? bad : \"alike\" }'",
+          CODE_OK,
+          { "3 alike" } },
+        { FORK("a", "2", "6", "0.01") OAK("a") "--scenarios reduce=96% ",
+          CODE_INPUT,
+          { "'96%' is no reduction" } },
+        { FORK("a", "2", "6", "0.01") OAK("a") "--scenarios thin=10% ",
+          CODE_INPUT,
+          { "thin has no effect: the tree has no leaves" } },
+        { "$W analyze oak --model culm --wind 20 --samples 0 --no-report -o $T/a --scenarios reduce=10%",
+          CODE_INPUT,
+          { "no branch is drawn that could be cut back" } },
+        { FORK("a", "2", "6", "0.01")
+              OAK("a") "--leaf-area 20 --thin 50% >/dev/null 2>&1; cut -d, -f4-9 $T/a/tables/scenarios.csv | "
+                       "sed -n 3p >$T/x; " OAK(
+                           "a") "--leaf-area 10 --remove id:5 >/dev/null 2>&1; cut -d, "
+                                "-f5-9 $T/a/tables/scenarios.csv | sed -n 2p >>$T/x; cat $T/x",
+          CODE_OK,
+          { "0.5," } },
+    };
+    CHECK(rows);
+    shell(FORK("a", "2", "6", "0.01")
+              OAK("a") "--leaf-area 20 --rest stress-free --thin 50% -q >/dev/null 2>&1; cut -d, -f5-9 "
+                       "$T/a/tables/scenarios.csv | sed -n 3p; " OAK(
+                           "a") "--leaf-area 10 --rest stress-free --remove id:5 -q >/dev/null 2>&1; cut -d, "
+                                "-f5-9 $T/a/tables/scenarios.csv | sed -n 2p");
+    char *second = strchr(output, '\n');
+    assert_non_null(second);
+    for (int k = 0; k < 5; k++) {
+        char *a = output, *b = second + 1;
+        for (int i = 0; i < k; i++) a = strchr(a, ',') + 1, b = strchr(b, ',') + 1;
+        if (fabs(atof(a) / atof(b) - 1) > 1e-4) fail_msg("column %d: %s", k, output);
+    }
+}
+
 /* A spruce without needles is a dead one: that is said, also where a scenario alone is without. */
 static void evergreen(void **state)
 {
@@ -201,7 +256,7 @@ static void refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(as_alone), cmocka_unit_test(force_when_lost),
-                                        cmocka_unit_test(printed), cmocka_unit_test(evergreen),
-                                        cmocka_unit_test(refused) };
+                                        cmocka_unit_test(printed),  cmocka_unit_test(evergreen),
+                                        cmocka_unit_test(reduced),  cmocka_unit_test(refused) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,7 +49,7 @@ static enum wf_status read_one(const struct wf_analyze_options *o, const struct 
     if (s || d->errors > before) return s;
     s = read_tree(whole, x, a, &own, out, &why);
     if (!s) s = wf_analyze_request_read(&out->options, a, &own, &out->request, &why);
-    if (!s) s = wf_scenario_onto(&out->options, whole, NAN, a, &out->request, &out->model, &why);
+    if (!s) s = wf_scenario_onto(&out->options, false, whole, NAN, a, &out->request, &out->model, &why);
     const struct wf_finding *f = own.first;
     while (f && f->severity != WF_ERROR) f = f->next;
     if (s == WF_ENOMEM) return wf_fail(e, s, "%s", why.text);

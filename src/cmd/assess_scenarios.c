@@ -128,11 +128,11 @@ static enum wf_status find_reduction(const struct wf_assess_options *o, const st
     for (double share = most; share == most || high - low > 0.01; share = 0.5 * (low + high)) {
         *c = (struct wf_assess_case){ .options = *o };
         c->options.run.samples = 0;
-        c->options.thin = c->options.run.cavity_growth = NAN, c->options.run.root_loss = NULL;
+        c->options.run.thin = c->options.run.cavity_growth = NAN, c->options.run.root_loss = NULL;
         c->options.run.leaf_off = false;
-        if (!(c->options.reduce = wf_arena_print(a, "%.4g%%", 100 * share)))
+        if (!(c->options.run.reduce = wf_arena_print(a, "%.4g%%", 100 * share)))
             return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
-        at = (struct wf_beside){ .name = c->options.reduce };
+        at = (struct wf_beside){ .name = c->options.run.reduce };
         enum wf_status s = run_case(c, whole, a, &at, e);
         if (s) return s;
         bool is = enough(&at, o->required);
