@@ -95,8 +95,8 @@ static void force_when_lost(void **state)
           { "same" } },
         /* roots: 40 % all around are 0.6 of the anchorage, against all else as it stands */
         { TREE RUN "--wind 20,30 -o $T/a --root-loss 40% >/dev/null 2>&1; "
-                   "awk -F, 'NR == 2 { a = $8 } NR == 3 { print $2, ($8 / a < 0.60001 && $8 / a > 0.59999) ? "
-                   "\"0.6\" : $8 / a }' "
+                   "awk -F, 'NR == 2 { a = $9 } NR == 3 { print $4, ($9 / a < 0.60001 && $9 / a > 0.59999) ? "
+                   "\"0.6\" : $9 / a }' "
                    "$T/a/tables/scenarios.csv",
           CODE_OK,
           { "\"root-loss 40%\" 0.6" } },
@@ -111,8 +111,8 @@ static void printed(void **state)
         { TREE RUN
           "--wind 20,30 -o $T/a --scenarios 'cable=id:4:id:5:50kN/m:500N:breaks "
           "5kN;3m:id:4:20kN/m,remove=id:4+id:5+leaf_off' "
-          "--remove level:2,id:5 >/dev/null 2>&1; cat $T/a/tables/scenarios.csv | cut -d, -f2; "
-          "cut -d, -f2-5 $T/a/tables/scenario_forces.csv; $W report $T/a --no-pdf; "
+          "--remove level:2,id:5 >/dev/null 2>&1; cat $T/a/tables/scenarios.csv | cut -d, -f4; "
+          "cut -d, -f4-7 $T/a/tables/scenario_forces.csv; $W report $T/a --no-pdf; "
           "grep -c 'remove=id:4+id:5+leaf_off' $T/a/report.html; grep -c 'Cables, rods and guys of the' "
           "$T/a/report.html; ls $T/a/plots/scenarios.svg",
           CODE_OK,
@@ -128,7 +128,7 @@ static void printed(void **state)
           { "Side by side", "terrain=III", "remove=id:4;id:5" } },
         { TREE "$W compare ash oak --tree $T/t.csv --wind 20 --samples 0 --no-report -o $T/a --scenarios "
                "terrain=III "
-               ">/dev/null 2>&1; cut -d, -f1,2 $T/a/tables/scenarios.csv",
+               ">/dev/null 2>&1; cut -d, -f1,4 $T/a/tables/scenarios.csv",
           CODE_OK,
           { "1,\"\"\n1,\"terrain=III\"\n2,\"\"\n2,\"terrain=III\"\n" } },
     };
@@ -149,9 +149,9 @@ static void reduced(void **state)
     static const struct row rows[] = {
         { FORK("a", "2", "6", "0.01") FORK("b", "1", "5", "0.03")
               OAK("a") "--scenarios reduce=50%,reduce=1.414213562m >/dev/null 2>&1; " OAK(
-                  "b") "--remove id:5 >/dev/null 2>&1; cut -d, -f5-8,10 $T/a/tables/scenarios.csv | sed -n "
+                  "b") "--remove id:5 >/dev/null 2>&1; cut -d, -f6-9,11 $T/a/tables/scenarios.csv | sed -n "
                        "3,4p >$T/x; cut -d, "
-                       "-f5-8,10 $T/b/tables/scenarios.csv | sed -n 2p >$T/y; cat $T/x $T/y | awk -F, '{ for "
+                       "-f6-9,11 $T/b/tables/scenarios.csv | sed -n 2p >$T/y; cat $T/x $T/y | awk -F, '{ for "
                        "(i = 1; i <= 5; "
                        "i++) if (NR > 1 && ($i / f[i] > 1.00001 || $i / f[i] < 0.99999)) bad = bad \" \" "
                        "$i \"/\" f[i]; split($0, "
@@ -167,20 +167,20 @@ static void reduced(void **state)
         { "$W analyze oak --model culm --wind 20 --samples 0 --no-report -o $T/a --scenarios reduce=10%",
           CODE_INPUT,
           { "no branch is drawn that could be cut back" } },
-        { FORK("a", "2", "6", "0.01")
-              OAK("a") "--leaf-area 20 --thin 50% >/dev/null 2>&1; cut -d, -f4-9 $T/a/tables/scenarios.csv | "
-                       "sed -n 3p >$T/x; " OAK(
-                           "a") "--leaf-area 10 --remove id:5 >/dev/null 2>&1; cut -d, "
-                                "-f5-9 $T/a/tables/scenarios.csv | sed -n 2p >>$T/x; cat $T/x",
+        { FORK("a", "2", "6", "0.01") OAK(
+              "a") "--leaf-area 20 --thin 50% >/dev/null 2>&1; cut -d, -f5-10 $T/a/tables/scenarios.csv | "
+                   "sed -n 3p >$T/x; " OAK(
+                       "a") "--leaf-area 10 --remove id:5 >/dev/null 2>&1; cut -d, "
+                            "-f6-10 $T/a/tables/scenarios.csv | sed -n 2p >>$T/x; cat $T/x",
           CODE_OK,
           { "0.5," } },
     };
     CHECK(rows);
     shell(FORK("a", "2", "6", "0.01")
-              OAK("a") "--leaf-area 20 --rest stress-free --thin 50% -q >/dev/null 2>&1; cut -d, -f5-9 "
+              OAK("a") "--leaf-area 20 --rest stress-free --thin 50% -q >/dev/null 2>&1; cut -d, -f6-10 "
                        "$T/a/tables/scenarios.csv | sed -n 3p; " OAK(
                            "a") "--leaf-area 10 --rest stress-free --remove id:5 -q >/dev/null 2>&1; cut -d, "
-                                "-f5-9 $T/a/tables/scenarios.csv | sed -n 2p");
+                                "-f6-10 $T/a/tables/scenarios.csv | sed -n 2p");
     char *second = strchr(output, '\n');
     assert_non_null(second);
     for (int k = 0; k < 5; k++) {
