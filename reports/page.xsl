@@ -431,7 +431,7 @@
           </xsl:for-each>
         </xsl:with-param></xsl:call-template>
     </xsl:if>
-    <xsl:for-each select="$r/files/item">
+    <xsl:for-each select="$r/files/item | $r/provenance/files/item">
       <tr>
         <th><xsl:call-template name="term">
           <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>

@@ -424,6 +424,7 @@ static enum wf_status rain(void *work, struct wf_doc_head *head, struct wf_run_f
     wf_progress_clear();
     if (s) return s;
     if (!o->args.quiet) print_run(run.name, &result);
+    wf_doc_head_file(head, "species", sp.file);
     s = wf_rain_results_write(&page, head, f->stage, e);
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)
