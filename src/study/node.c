@@ -203,8 +203,7 @@ static void read_column(const struct wf_tree *t, const struct wf_at_speed *at, i
                                                                       &at->breakage, i, &place);
 }
 
-/* Is a row one of those that a state is of? */
-static bool holds(const struct wf_analysis *an, enum wf_node_part part, size_t row)
+bool wf_node_part_holds(const struct wf_analysis *an, enum wf_node_part part, size_t row)
 {
     return !wf_peak_branches(an->peak) || (an->tree.level[row] > 0) == (part == WF_NODE_BRANCHES);
 }
@@ -235,7 +234,7 @@ static enum wf_status read_rows(const struct wf_analysis *an, enum wf_node_part 
     read_column(t, &r->at, column, at);
     if (r->step > 0.0) read_column(t, &r->side, column, side);
     for (size_t i = 0; i < t->n; i++) {
-        if (!holds(an, part, i)) continue;
+        if (!wf_node_part_holds(an, part, i)) continue;
         to->value[i] = single(at[i]);
         to->gain[i] = r->step > 0.0 ? single((side[i] - at[i]) / r->step) : 0.0F;
     }
@@ -263,7 +262,7 @@ static void own_stress(const struct wf_analysis *an, enum wf_node_part part, str
     b->largest_stress = 0.0;
     b->largest_stress_row = -1;
     for (size_t i = 0; i < an->tree.n; i++)
-        if (holds(an, part, i) && (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress))
+        if (wf_node_part_holds(an, part, i) && (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress))
             b->largest_stress = b->peak[i], b->largest_stress_row = (int32_t)i;
 }
 
