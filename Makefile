@@ -152,6 +152,11 @@ house: all # sizes, circles, callers, the way through the program
 	@tools/house.sh $(B)
 gallery: all ## every kind of page in both languages as pictures, with contact sheets, in the build folder; fails where a renderer says anything
 	@tools/gallery.sh $(B)/windfirm $(B)/gallery
+HAN := /usr/share/fonts/opentype/noto/NotoSansCJK-Bold.ttc
+han-bold: ## the bold Chinese face of printed pages again, after new Chinese words (Debian package fonts-noto-cjk)
+	@tools/packages.sh fonts-noto-cjk
+	@$$(sed -n '1s/^#!//p' "$$(command -v weasyprint)") tools/han_bold.py reports/han_bold.ttf $(HAN) reports/strings.xml \
+	    reports/messages.xml reports/plots/words.tsv $(wildcard species/*.yaml models/*.yaml models/*/*.yaml)
 golden: all ## write the expected tables of the demo again, after a change that is understood; prints what changes
 	@git diff --quiet HEAD || { echo 'make golden: commit first; the change of the tables is to be seen alone'; exit 1; }
 	@for m in mean peak; do \
@@ -201,6 +206,6 @@ clean: ## remove what was built and computed
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house gallery golden install headers clean help
+.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house gallery han-bold golden install headers clean help
 .SECONDARY:
 -include $(patsubst %.o,%.d,$(LANES) $(call obj,$(SRC) $(TESTS) $(BENCH) $(wildcard tests/fuzz/*.c)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)

@@ -79,6 +79,7 @@
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="assessment/directions/item">
+        <xsl:sort select="from/value" data-type="number"/>
         <tr>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="$degrees * from/value"/>

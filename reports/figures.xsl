@@ -82,7 +82,8 @@
     <xsl:with-param name="text">
       <xsl:if test="count($trees) &gt; 1"><xsl:for-each select="../.."><xsl:call-template name="name"/>: </xsl:for-each></xsl:if>
       <xsl:value-of select="name"/>
-      <xsl:if test="name = ''"><xsl:call-template name="say"><xsl:with-param name="id">sc.stands</xsl:with-param></xsl:call-template></xsl:if>
+      <xsl:if test="name = ''">
+        <xsl:call-template name="say"><xsl:with-param name="id">sc.stands</xsl:with-param></xsl:call-template></xsl:if>
     </xsl:with-param>
   </xsl:call-template>
   <xsl:call-template name="number-row">

@@ -422,7 +422,7 @@
       <xsl:with-param name="text" select="concat('windfirm ', $p/version)"/></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">tb.date</xsl:with-param>
       <xsl:with-param name="text" select="string($p/date)"/></xsl:call-template>
-    <xsl:variable name="seeds" select="$r/seed | $r/runs/item/seed[not(. = ../preceding-sibling::item/seed)]"/>
+    <xsl:variable name="seeds" select="$r/runs/item/seed[not(. = ../preceding-sibling::item/seed)]"/>
     <xsl:if test="$seeds">
       <xsl:call-template name="block-row"><xsl:with-param name="id">p.seed</xsl:with-param>
         <xsl:with-param name="text">
@@ -431,7 +431,7 @@
           </xsl:for-each>
         </xsl:with-param></xsl:call-template>
     </xsl:if>
-    <xsl:for-each select="$r/files/item">
+    <xsl:for-each select="$r/files/item | $r/provenance/files/item">
       <tr>
         <th><xsl:call-template name="term">
           <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>

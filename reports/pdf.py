@@ -3,6 +3,7 @@
 # ended by a zero byte: FOLDER/PAGE.html is printed to FOLDER/FILE.pdf. The answer on the standard output is what WeasyPrint
 # says, and a zero byte. A page that cannot be printed ends the process. The page carries its styles and pictures in itself;
 # no other file and no address is fetched, whatever the page names.
+import base64
 import gc
 import logging
 import os
@@ -217,6 +218,24 @@ def keep():
     return lines.fonts
 
 
+# The Chinese face that is installed has no bold; this one has the characters of the program's own words.
+HAN_BOLD = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'han_bold.ttf')
+
+
+def with_han_bold(fonts):
+    """The fonts with that face, which pages call "windfirm Han bold"; as they are where it is not there."""
+    try:
+        from weasyprint.text.fonts import FontConfiguration
+        with open(HAN_BOLD, 'rb') as f:
+            face = base64.b64encode(f.read()).decode()
+        own = fonts or FontConfiguration()
+        weasyprint.CSS(string='@font-face { font-family: "windfirm Han bold"; font-weight: bold; src: url(data:font/ttf;base64,%s) }' % face,
+                       font_config=own, url_fetcher=fetch)
+        return own
+    except (OSError, ImportError, AttributeError):
+        return fonts
+
+
 # A last page of a few lines: margins and lines are closer where that saves the page; else wider, so that more stands on it.
 CLOSER = '@page { margin-top: 16mm !important; margin-bottom: 14mm !important } html, body { line-height: 1.36 !important }'
 CLOSEST = '@page { margin-top: 15mm !important; margin-bottom: 12mm !important } html, body { line-height: 1.3 !important }'
@@ -282,6 +301,7 @@ def main():
     here = os.open('.', getattr(os, 'O_PATH', os.O_RDONLY))  # folders are named from here
     gc.freeze()
     gc.disable()  # looking for dead objects takes a tenth of the time of a page
+    bold = False
     for n, (folder, page, file) in enumerate(orders()):
         if n % 8 == 7:  # each page leaves some ten megabytes, and looking takes a tenth of a second
             gc.collect()
@@ -289,6 +309,8 @@ def main():
         os.chdir(folder)
         with open(page, 'rb') as f:
             html = f.read()
+        if b'lang="zh"' in html and not bold:
+            fonts, bold = with_han_bold(fonts), True
         own = None if b'@font-face' in html else fonts  # what a page brings is its own
         laid_out(weasyprint.HTML(string=html, encoding='utf-8', url_fetcher=fetch), own).write_pdf(os.fsdecode(file))
         sys.stdout.flush()

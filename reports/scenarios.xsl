@@ -119,7 +119,8 @@
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">sc.forces</xsl:with-param></xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">as.c.done;c.bz.kind;c.bz.from;c.bz.to;c.bz.pull:kN;c.bz.speed:m/s;as.c.from:°;c.bz.lost:kN;c.bz.breaking:kN;
+      <xsl:with-param name="of">as.c.done;c.bz.kind;c.bz.from;c.bz.to;c.bz.pull:kN;c.bz.speed:m/s;as.c.from:°;c.bz.lost:kN;
+        c.bz.breaking:kN;
         c.bz.safety</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>

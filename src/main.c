@@ -59,6 +59,7 @@ static int run(int argc, char **argv)
     if (argc < 2) return wf_usage_overview(stderr, "--help"), 2;
     const char *word = argv[1];
     bool detail = strcmp(word, "help") == 0;
+    if (detail || !strcmp(word, "--help") || !strcmp(word, "-h")) wf_usage_language(argc, argv);
     if (wf_usage_overview(stdout, detail && argc < 3 ? "--help" : word)) return 0;
     if (strcmp(word, "--version") == 0 || strcmp(word, "version") == 0)
         return wf_show(stdout, "windfirm %s\n", WF_VERSION) < 0;

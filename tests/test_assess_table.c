@@ -103,7 +103,8 @@ static void tables(void **state)
           CODE_OK,
           { "o.csv\nt.csv\n2\n" } },
         /* soils and seasons in four languages */
-        { "printf 'species,height,girth_cm,crown width,crown base,Bodenart,Saison\noak,20,250,14,4,Gley,belaubt\n"
+        { "printf 'species,height,girth_cm,crown width,crown "
+          "base,Bodenart,Saison\noak,20,250,14,4,Gley,belaubt\n"
           "oak,20,250,14,4,潜育土,有叶\noak,20,250,14,4,sol à gley,feuillé\noak,20,250,14,4,gleyed,leaf_on\n"
           "oak,20,250,14,4,clay,leaf_on\n' >$T/s.csv; $W assess $T/s.csv -q -o $T/so.csv" WIND
           "; cut -d, -f8-13 $T/so.csv | sort | uniq -c | sed 's/^ *//'",
@@ -151,20 +152,30 @@ static void reports(void **state)
           CODE_OK,
           { "2\nrow_3\nrow_5\n", "report.html\nresults.json\ntables\n1\n1\n" } },
         /* which tree, for whom: the number of the row, else the line; a number that is none of a tree's */
-        { "printf 'Baum-Nr,species,height_m,girth_cm,crown_width_m,crown_base_m\n17 <b>,oak,20,250,14,4\n,ash,18,150,9,3\n"
-          "\"a\tb\",oak,20,250,14,4\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --client Town --reports $T/r --no-pdf "
-          "--samples 0 --lang zh" WIND "; cd $T/r; grep -ho '\"\\(tree_number\\|client\\)\": \"[^\"]*\"' row_*/results.json; "
-          "grep -c '17 &lt;b&gt;' row_2/report.html; grep -c 'm high' row_2/report.html; grep -c '高 20 m，胸径 79.6 cm' row_2/report.html",
+        { "printf 'Baum-Nr,species,height_m,girth_cm,crown_width_m,crown_base_m\n17 "
+          "<b>,oak,20,250,14,4\n,ash,18,150,9,3\n"
+          "\"a\tb\",oak,20,250,14,4\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --client Town --reports "
+          "$T/r --no-pdf "
+          "--samples 0 --lang zh" WIND
+          "; cd $T/r; grep -ho '\"\\(tree_number\\|client\\)\": \"[^\"]*\"' row_*/results.json; "
+          "grep -c '17 &lt;b&gt;' row_2/report.html; grep -c 'm high' row_2/report.html; grep -c '高 20 "
+          "m，胸径 79.6 cm' row_2/report.html",
           CODE_OK,
           { "\"Town\"", "\"17 <b>\"", "\"t.csv:3\"", "\"t.csv:4\"\n1\n0\n" } },
         /* printed side by side, each in its folder, whole and listed */
-        { "command -v weasyprint >/dev/null && command -v pdfinfo >/dev/null || { echo 5 pages each; exit 0; }; "
-          "printf '" HEAD "1,oak,20,250,14,4,\\n2,ash,18,150,9,3,\\n3,beech,20,250,14,4,\\n4,oka,1,1,1,1,\\n5,lime,19,200,10,4,\\n"
-          "6,oak,17,190,9,4,\\n' >$T/t.csv; $W assess $T/t.csv -q --samples 0 -o $T/o.csv --reports $T/r" WIND "; "
-          "for i in 2 3 4 6 7; do pdftotext $T/r/row_$i/report.pdf - | sed -n 1p; grep -c '\"report.pdf\"' $T/r/row_$i/results.json; done "
-          "| sort | uniq -c | sort -rn; ls -A $T/r/row_2; grep -c assessed $T/o.csv; $W report $T/r/row_2 $T/r/row_7 -q && echo 5 pages each",
+        { "command -v weasyprint >/dev/null && command -v pdfinfo >/dev/null || { echo 5 pages each; exit 0; "
+          "}; "
+          "printf '" HEAD "1,oak,20,250,14,4,\\n2,ash,18,150,9,3,\\n3,beech,20,250,14,4,\\n4,oka,1,1,1,1,"
+          "\\n5,lime,19,200,10,4,\\n"
+          "6,oak,17,190,9,4,\\n' >$T/t.csv; $W assess $T/t.csv -q --samples 0 -o $T/o.csv --reports $T/r" WIND
+          "; "
+          "for i in 2 3 4 6 7; do pdftotext $T/r/row_$i/report.pdf - | sed -n 1p; grep -c '\"report.pdf\"' "
+          "$T/r/row_$i/results.json; done "
+          "| sort | uniq -c | sort -rn; ls -A $T/r/row_2; grep -c assessed $T/o.csv; $W report $T/r/row_2 "
+          "$T/r/row_7 -q && echo 5 pages each",
           CODE_OK,
-          { "      5 1\n", "plots\nreport.html\nreport.pdf\nresults.json\ntables\n", "\n5\n", "5 pages each" } },
+          { "      5 1\n", "plots\nreport.html\nreport.pdf\nresults.json\ntables\n", "\n5\n",
+            "5 pages each" } },
         { "printf '" HEAD "1,oak,20,250,14,4,=1+1\\n2,oak,20,250,14,4,-5\\n' >$T/t.csv; $W assess $T/t.csv "
           "-o $T/o.csv --xlsx" WIND "; python3 -c 'import zipfile, sys; "
           "print(zipfile.ZipFile(sys.argv[1]).read(\"xl/worksheets/sheet1.xml\").decode())' "
@@ -226,6 +237,41 @@ static void hostile(void **state)
     CHECK(rows);
 }
 
+/* The same tree under heads of four languages gives the same safeties; an empty row is said to be one. */
+static void languages(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "printf 'species,height (m),trunk girth [cm],crown spread,crown base height\noak,20,250,14,4\n' "
+          ">$T/en.csv; "
+          "printf 'Baumart;Baumhöhe;Stammumfang "
+          "(cm);Kronendurchmesser_m;Kronenansatzhöhe\nStieleiche;20,0;250;14,0;4\n' "
+          ">$T/de.csv; "
+          "printf 'essence,hauteur (m),circonférence du tronc (cm),largeur du houppier (m),base du houppier\n"
+          "chêne,20,250,14,4\n' >$T/fr.csv; "
+          "printf '树种,树高(m),胸围(cm),冠幅(m),枝下高(m)\n夏栎,20,250,14,4\n' >$T/zh.csv; "
+          "for l in en de fr zh; do $W assess $T/$l.csv -q -o $T/$l.o.csv --wind 20 --soil mineral || exit "
+          "1; "
+          "tail -1 $T/$l.o.csv | tr ';' ',' | sed 's/.*,assessed/assessed/' | cut -d, -f1-6; done | sort | "
+          "uniq -c",
+          CODE_OK,
+          { "4 assessed,,insufficient,2.584," } },
+        { "printf "
+          "'species;height_m;girth_cm;crown_width_m;crown_base_m;note\n;;;;;\n\noak;20;250;14;4;\n;;;;;x\n' "
+          ">$T/t.csv; "
+          "$W assess $T/t.csv -o $T/o.csv --wind 20; cut -d';' -f7,8 $T/o.csv",
+          CODE_OK,
+          { "3 rows: 1 assessed, 2 with mistakes, 0 failed", "1 blank lines and remarks kept",
+            "mistake;line 2: the row is empty\n", "mistake;line 5: the row is empty\n" } },
+        { "printf 'species,height_m,girth_cm,crown_width_m,crown_base_m,rooting\noak,20,250,14,4,medium\n' "
+          ">$T/t.csv; $W assess "
+          "$T/t.csv -o $T/o.csv --wind 20",
+          CODE_OK,
+          { "only kept: 'rooting'", "1 assessed" } },
+    };
+    CHECK(rows);
+}
+
 /* Rows with the file of a tree are assessed by it, others as without that column; a file that cannot be taken
  * is a mistake of its row. */
 static void scans(void **state)
@@ -236,55 +282,77 @@ static void scans(void **state)
 #define ASSESS "; $W assess $T/t.csv -q -o $T/o.csv" WIND "; echo \"code $?\"; cat $T/o.csv"
     static const struct row rows[] = {
         /* the critical wind is that of analyze; the row without a file keeps its bytes */
-        { TREES "printf '" SCANS "1,oak,14,106,6,9,\\n2,oak,14,106,6,9,k/a.csv\\n' >$T/t.csv; cut -d, -f1-6 "
-                "$T/t.csv >$T/u.csv; for k in t u; do $W assess $T/$k.csv -q -o $T/$k.out --azimuth 0" WIND
-                "; done; sed -n '2s/,,assessed/,assessed/p' $T/t.out >$T/1; sed -n 2p $T/u.out | cmp - $T/1 && echo as "
-                "before; $W analyze --tree $T/k/a.csv oak --crown-width 6m --crown-depth 5.17m --samples 0 -o $T/r -q "
-                "--no-report --azimuth 0" WIND " >$T/2 2>&1; c=$(python3 -c 'import json, sys; "
-                "print(json.load(open(sys.argv[1]))[\"trees\"][0][\"verdict\"][\"critical_speed\"][\"value\"])' "
-                "$T/r/results.json); sed -n '3s/\".*\"//p' $T/t.out | awk -F, -v c=$c '{ d = $16 / c - 1; print (d * d < "
-                "1e-8) ? \"agrees\" : \"differs \" $16 \" \" c }'",
+        { TREES
+          "printf '" SCANS "1,oak,14,106,6,9,\\n2,oak,14,106,6,9,k/a.csv\\n' >$T/t.csv; cut -d, -f1-6 "
+          "$T/t.csv >$T/u.csv; for k in t u; do $W assess $T/$k.csv -q -o $T/$k.out --azimuth 0" WIND
+          "; done; sed -n '2s/,,assessed/,assessed/p' $T/t.out >$T/1; sed -n 2p $T/u.out | cmp - $T/1 && "
+          "echo as "
+          "before; $W analyze --tree $T/k/a.csv oak --crown-width 6m --crown-depth 5.17m --samples 0 -o $T/r "
+          "-q "
+          "--no-report --azimuth 0" WIND " >$T/2 2>&1; c=$(python3 -c 'import json, sys; "
+          "print(json.load(open(sys.argv[1]))[\"trees\"][0][\"verdict\"][\"critical_speed\"][\"value\"])' "
+          "$T/r/results.json); sed -n '3s/\".*\"//p' $T/t.out | awk -F, -v c=$c '{ d = $16 / c - 1; print (d "
+          "* d < "
+          "1e-8) ? \"agrees\" : \"differs \" $16 \" \" c }'",
           CODE_OK,
           { "as before\nagrees\n" } },
-        /* a model carries its own leaves; a scan none: its crown is the row's; what differs from it is said */
-        { TREES "printf '" SCANS "1,oak,,,,,k/m.yaml\\n2,oak,20,106,6,9,k/a.csv\\n3,oak,14,,,,k/a.csv\\n' >$T/t.csv"
-                ASSESS,
+        /* a model carries its own leaves; a scan none: its crown is the row's; what differs from it is said
+         */
+        { TREES "printf '" SCANS
+                "1,oak,,,,,k/m.yaml\\n2,oak,20,106,6,9,k/a.csv\\n3,oak,14,,,,k/a.csv\\n' >$T/t.csv" ASSESS,
           CODE_OK,
-          { "code 2\n", "assessed,\"by m.yaml in place of the card: 20 m high, 793 mm thick at 1.3 m\",lost,2.9",
-            "a.csv in place of the card: 14.17 m high, 338 mm thick at 1.3 m; the row says 20 m high\",lost,0.44",
+          { "code 2\n",
+            "assessed,\"by m.yaml in place of the card: 20 m high, 793 mm thick at 1.3 m\",lost,2.9",
+            "a.csv in place of the card: 14.17 m high, 338 mm thick at 1.3 m; the row says 20 m "
+            "high\",lost,0.44",
             "shows no leaves, and wood alone catches too little wind" } },
         { TREES "printf '" SCANS "4,oak,,,6,15,k/a.csv\\n5,,14,106,6,9,k/a.csv\\n' >$T/t.csv" ASSESS,
           CODE_OK,
           { "code 2\n", "the crown base of 15 m is not below that", "mistake,species: is needed" } },
         /* the same column in other languages; wood alone when the leaves have fallen */
         { TREES "printf 'Baumart;Baumdatei;Saison\\noak;k/a.csv;leaf_off\\n' >$T/t.csv; for k in Scandatei "
-                "'fichier scan' \xE6\xA0\x91\xE6\xA8\xA1\xE5\x9E\x8B; do sed \"s/Baumdatei/$k/\" $T/t.csv >$T/u.csv; $W "
+                "'fichier scan' \xE6\xA0\x91\xE6\xA8\xA1\xE5\x9E\x8B; do sed \"s/Baumdatei/$k/\" $T/t.csv "
+                ">$T/u.csv; $W "
                 "assess $T/u.csv -q -o $T/o.csv" WIND "; sed -n 2p $T/o.csv; done | cut -c1-60 | uniq -c",
           CODE_OK,
           { "3 oak;k/a.csv;leaf_off;assessed;by a.csv in place" } },
         /* a page a tree names its file; intervals */
-        { TREES "printf '" SCANS "2,oak,14,106,6,9,k/a.csv\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --samples 64 "
-                "--reports $T/r --no-pdf" WIND "; grep -c 'k/a.csv' $T/r/row_2/results.json; sed 's/\".*\"//' $T/o.csv | "
+        { TREES "printf '" SCANS
+                "2,oak,14,106,6,9,k/a.csv\\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --samples 64 "
+                "--reports $T/r --no-pdf" WIND
+                "; grep -c 'k/a.csv' $T/r/row_2/results.json; sed 's/\".*\"//' $T/o.csv | "
                 "awk -F, 'NR == 2 { print ($14 > 0 && $14 < $15) ? \"interval\" : \"none\" }'; ls $T/r/row_2",
           CODE_OK,
           { "interval\nplots\nreport.html\nresults.json\n" } },
         /* out of the folder by name, by a link, in a model; what is no file; broken, missing, too large */
-        { TREES "ln -s /etc/passwd $T/k/l.csv; mkfifo $T/k/p.csv; echo hello >$T/k/b.csv; truncate -s 65M $T/k/g.csv; "
-                "printf 'cavities: [{at: 1 m, rays: ../x.csv}]' >$T/k/r.yaml; printf '\"r\\\\x61ys\": x' >$T/k/s.yaml; "
-                "(printf '" SCANS "'; for k in ../t.csv /etc/passwd k/../../x k/l.csv k k/p.csv k/b.csv k/n.csv k/g.csv "
-                "k/r.yaml k/s.yaml; do echo 1,oak,14,106,6,9,$k; done) >$T/t.csv; timeout 20 $W assess $T/t.csv -q -o "
-                "$T/o.csv" WIND "; echo code $?; for k in 'leads out' 'is no file' 'no known tree' 'No such file' 'larger "
+        { TREES "ln -s /etc/passwd $T/k/l.csv; mkfifo $T/k/p.csv; echo hello >$T/k/b.csv; truncate -s 65M "
+                "$T/k/g.csv; "
+                "printf 'cavities: [{at: 1 m, rays: ../x.csv}]' >$T/k/r.yaml; printf '\"r\\\\x61ys\": x' "
+                ">$T/k/s.yaml; "
+                "(printf '" SCANS
+                "'; for k in ../t.csv /etc/passwd k/../../x k/l.csv k k/p.csv k/b.csv k/n.csv k/g.csv "
+                "k/r.yaml k/s.yaml; do echo 1,oak,14,106,6,9,$k; done) >$T/t.csv; timeout 20 $W assess "
+                "$T/t.csv -q -o "
+                "$T/o.csv" WIND
+                "; echo code $?; for k in 'leads out' 'is no file' 'no known tree' 'No such file' 'larger "
                 "than 64' 'files of its own' mistake; do grep -c \"$k\" $T/o.csv; done | tr '\\n' ' '",
           CODE_OK,
           { "code 2\n4 2 1 1 1 2 11 " } },
         /* another folder, and none without a use */
-        { TREES "mkdir $T/s; printf '" SCANS "1,oak,14,106,6,9,a.csv\\n2,oak,14,106,6,9,../t.csv\\n3,oak,14,106,6,9,"
-                "/etc/passwd\\n' >$T/s/t.csv; $W assess $T/s/t.csv --scans $T/k -q -o $T/o.csv" WIND "; cat $T/o.csv",
+        { TREES "mkdir $T/s; printf '" SCANS
+                "1,oak,14,106,6,9,a.csv\\n2,oak,14,106,6,9,../t.csv\\n3,oak,14,106,6,9,"
+                "/etc/passwd\\n' >$T/s/t.csv; $W assess $T/s/t.csv --scans $T/k -q -o $T/o.csv" WIND
+                "; cat $T/o.csv",
           CODE_OK,
           { "a.csv,assessed,", "'../t.csv': ", "'/etc/passwd': leads out of the folder of --scans" } },
-        { "$W assess docs/examples/cards.csv -o $T/o.csv --scans $T" WIND, CODE_INPUT, { "has no column that names files" } },
-        { "$W assess models/cards/oak.yaml --scans $T", CODE_INPUT, { "--scans: has no effect without a table" } },
-        { TREES "printf '" SCANS "1,oak,14,106,6,9,a.csv\\n' >$T/t.csv; $W assess $T/t.csv --scans $T/none -o $T/o.csv" WIND,
+        { "$W assess docs/examples/cards.csv -o $T/o.csv --scans $T" WIND,
+          CODE_INPUT,
+          { "has no column that names files" } },
+        { "$W assess models/cards/oak.yaml --scans $T",
+          CODE_INPUT,
+          { "--scans: has no effect without a table" } },
+        { TREES "printf '" SCANS
+                "1,oak,14,106,6,9,a.csv\\n' >$T/t.csv; $W assess $T/t.csv --scans $T/none -o $T/o.csv" WIND,
           CODE_INPUT,
           { "none: No such file" } },
     };
@@ -318,13 +386,19 @@ static void rows_do_not_mix(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "set -e; F=docs/examples/forty_trees.csv; A=\"-q --soil mineral --wind 25\"; $W assess $F $A -o $T/a.csv --threads 1; "
-          "for l in 1 4 8; do for t in 1 2; do WINDFIRM_LANES=$l $W assess $F $A -o $T/b.csv --threads $t; cmp "
-          "$T/a.csv $T/b.csv; done; done; for k in 3 17 25 42; do (head -2 $F; sed -n ${k}p $F) >$T/t.csv; $W assess "
-          "$T/t.csv $A -o $T/b.csv; tail -1 $T/b.csv >$T/c; sed -n ${k}p $T/a.csv | cmp - $T/c; done; (head -2 $F; "
+        { "set -e; F=docs/examples/forty_trees.csv; A=\"-q --soil mineral --wind 25\"; $W assess $F $A -o "
+          "$T/a.csv --threads 1; "
+          "for l in 1 4 8; do for t in 1 2; do WINDFIRM_LANES=$l $W assess $F $A -o $T/b.csv --threads $t; "
+          "cmp "
+          "$T/a.csv $T/b.csv; done; done; for k in 3 17 25 42; do (head -2 $F; sed -n ${k}p $F) >$T/t.csv; "
+          "$W assess "
+          "$T/t.csv $A -o $T/b.csv; tail -1 $T/b.csv >$T/c; sed -n ${k}p $T/a.csv | cmp - $T/c; done; (head "
+          "-2 $F; "
           "sed -n '40p;6p;41p;5p;12p' $F) >$T/t.csv; for t in 1 2; do $W assess $T/t.csv $A --samples 20 -o "
-          "$T/i$t.csv --threads $t; done; cmp $T/i1.csv $T/i2.csv; (head -2 $F; sed -n '5p' $F) >$T/t.csv; $W assess "
-          "$T/t.csv $A --samples 20 -o $T/b.csv; tail -1 $T/b.csv >$T/c; sed -n 3p $T/i1.csv | cmp - $T/c; echo "
+          "$T/i$t.csv --threads $t; done; cmp $T/i1.csv $T/i2.csv; (head -2 $F; sed -n '5p' $F) >$T/t.csv; "
+          "$W assess "
+          "$T/t.csv $A --samples 20 -o $T/b.csv; tail -1 $T/b.csv >$T/c; sed -n 3p $T/i1.csv | cmp - $T/c; "
+          "echo "
           "alike",
           CODE_OK,
           { "alike\n", NULL } },
@@ -334,9 +408,9 @@ static void rows_do_not_mix(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(rows), cmocka_unit_test(tables),
-                                        cmocka_unit_test(reports), cmocka_unit_test(hostile),
-                                        cmocka_unit_test(goes_on), cmocka_unit_test(rows_do_not_mix),
-                                        cmocka_unit_test(scans) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(rows),      cmocka_unit_test(tables),
+                                        cmocka_unit_test(reports),   cmocka_unit_test(hostile),
+                                        cmocka_unit_test(goes_on),   cmocka_unit_test(rows_do_not_mix),
+                                        cmocka_unit_test(languages), cmocka_unit_test(scans) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

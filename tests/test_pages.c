@@ -245,6 +245,31 @@ static void every_warning_has_words(void **state)
 }
 
 /* Strings that no stylesheet asks for are not kept, and every string is there in both languages. */
+/* Printed Chinese pages have a bold face, which has the characters of the program's words; a few new ones may wait for `make
+ * han-bold`. */
+static void chinese_has_a_bold(void **state)
+{
+    (void)state;
+    if (shell("command -v weasyprint && command -v pdffonts && command -v gnuplot")) skip();
+    static const struct row rows[] = {
+        { "$W wind extremes --annual docs/examples/annual.csv --lang zh -q -o $T/out 2>$T/said; pdffonts $T/out/extremes.pdf | grep -c "
+          "'Han-bold.*yes yes yes'; pdftotext $T/out/extremes.pdf - | head -n 1",
+          CODE_OK,
+          { "1\n风速的超越概率\n" } },
+        { "$(sed -n '1s/^#!//p' \"$(command -v weasyprint)\") - reports/strings.xml reports/messages.xml reports/plots/words.tsv <<'END'\n"
+          "import sys\n"
+          "from fontTools.ttLib import TTFont\n"
+          "has = TTFont('reports/han_bold.ttf').getBestCmap()\n"
+          "said = {c for name in sys.argv[1:] for c in open(name, encoding='utf-8').read() if ord(c) > 0x2e7f}\n"
+          "lacks = [c for c in sorted(said) if ord(c) not in has]\n"
+          "print('enough' if len(lacks) <= len(said) // 50 else 'make han-bold: ' + ''.join(lacks))\n"
+          "END\n",
+          CODE_OK,
+          { "enough" } },
+    };
+    CHECK(rows);
+}
+
 static void strings_are_whole(void **state)
 {
     (void)state;
@@ -295,7 +320,7 @@ int main(void)
         cmocka_unit_test(every_page_in_both_languages),
         cmocka_unit_test(a_command_speaks_the_language_it_is_asked_for),
         cmocka_unit_test(every_warning_has_words),
-        cmocka_unit_test(strings_are_whole),
+        cmocka_unit_test(chinese_has_a_bold), cmocka_unit_test(strings_are_whole),
         cmocka_unit_test(what_governs_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -95,8 +95,8 @@ static void force_when_lost(void **state)
           { "same" } },
         /* roots: 40 % all around are 0.6 of the anchorage, against all else as it stands */
         { TREE RUN "--wind 20,30 -o $T/a --root-loss 40% >/dev/null 2>&1; "
-                   "awk -F, 'NR == 2 { a = $8 } NR == 3 { print $2, ($8 / a < 0.60001 && $8 / a > 0.59999) ? "
-                   "\"0.6\" : $8 / a }' "
+                   "awk -F, 'NR == 2 { a = $9 } NR == 3 { print $4, ($9 / a < 0.60001 && $9 / a > 0.59999) ? "
+                   "\"0.6\" : $9 / a }' "
                    "$T/a/tables/scenarios.csv",
           CODE_OK,
           { "\"root-loss 40%\" 0.6" } },
@@ -111,8 +111,8 @@ static void printed(void **state)
         { TREE RUN
           "--wind 20,30 -o $T/a --scenarios 'cable=id:4:id:5:50kN/m:500N:breaks "
           "5kN;3m:id:4:20kN/m,remove=id:4+id:5+leaf_off' "
-          "--remove level:2,id:5 >/dev/null 2>&1; cat $T/a/tables/scenarios.csv | cut -d, -f2; "
-          "cut -d, -f2-5 $T/a/tables/scenario_forces.csv; $W report $T/a --no-pdf; "
+          "--remove level:2,id:5 >/dev/null 2>&1; cat $T/a/tables/scenarios.csv | cut -d, -f4; "
+          "cut -d, -f4-7 $T/a/tables/scenario_forces.csv; $W report $T/a --no-pdf; "
           "grep -c 'remove=id:4+id:5+leaf_off' $T/a/report.html; grep -c 'Cables, rods and guys of the' "
           "$T/a/report.html; ls $T/a/plots/scenarios.svg",
           CODE_OK,
@@ -128,9 +128,85 @@ static void printed(void **state)
           { "Side by side", "terrain=III", "remove=id:4;id:5" } },
         { TREE "$W compare ash oak --tree $T/t.csv --wind 20 --samples 0 --no-report -o $T/a --scenarios "
                "terrain=III "
-               ">/dev/null 2>&1; cut -d, -f1,2 $T/a/tables/scenarios.csv",
+               ">/dev/null 2>&1; cut -d, -f1,4 $T/a/tables/scenarios.csv",
           CODE_OK,
           { "1,\"\"\n1,\"terrain=III\"\n2,\"\"\n2,\"terrain=III\"\n" } },
+    };
+    CHECK(rows);
+}
+
+/* A drawn crown that is cut back is the tree drawn with shorter branches: four of them from the top of the
+ * stem, by half of their length, by a share or as a length. Half of the leaves taken out is half of the leaf
+ * area. */
+static void reduced(void **state)
+{
+    (void)state;
+#define FORK(file, x, z, r)                                                                                  \
+    "printf 'id,parent,x0,y0,z0,x1,y1,z1,radius0,radius1,level\\n1,0,0,0,0,0,0,4,0.15,0.14,0\\n2,1,0,0,4," x \
+    ",0," z ",0.05," r ",1\\n3,1,0,0,4,-" x ",0," z ",0.05," r ",1\\n4,1,0,0,4,0," x "," z ",0.05," r        \
+    ",1\\n5,1,0,0,4,0,-" x "," z ",0.05," r ",1\\n' >$T/" file ".csv; "
+#define OAK(file) "$W analyze oak --tree $T/" file ".csv --wind 20 --samples 0 --no-report -o $T/" file " "
+    static const struct row rows[] = {
+        { FORK("a", "2", "6", "0.01") FORK("b", "1", "5", "0.03")
+              OAK("a") "--scenarios reduce=50%,reduce=1.414213562m >/dev/null 2>&1; " OAK(
+                  "b") "--remove id:5 >/dev/null 2>&1; cut -d, -f6-9,11 $T/a/tables/scenarios.csv | sed -n "
+                       "3,4p >$T/x; cut -d, "
+                       "-f6-9,11 $T/b/tables/scenarios.csv | sed -n 2p >$T/y; cat $T/x $T/y | awk -F, '{ for "
+                       "(i = 1; i <= 5; "
+                       "i++) if (NR > 1 && ($i / f[i] > 1.00001 || $i / f[i] < 0.99999)) bad = bad \" \" "
+                       "$i \"/\" f[i]; split($0, "
+                       "f, \",\") } END { print NR, bad ? bad : \"alike\" }'",
+          CODE_OK,
+          { "3 alike" } },
+        { FORK("a", "2", "6", "0.01") OAK("a") "--scenarios reduce=96% ",
+          CODE_INPUT,
+          { "'96%' is no reduction" } },
+        { FORK("a", "2", "6", "0.01") OAK("a") "--scenarios thin=10% ",
+          CODE_INPUT,
+          { "thin has no effect: the tree has no leaves" } },
+        { "$W analyze oak --model culm --wind 20 --samples 0 --no-report -o $T/a --scenarios reduce=10%",
+          CODE_INPUT,
+          { "no branch is drawn that could be cut back" } },
+        { FORK("a", "2", "6", "0.01") OAK(
+              "a") "--leaf-area 20 --thin 50% >/dev/null 2>&1; cut -d, -f5-10 $T/a/tables/scenarios.csv | "
+                   "sed -n 3p >$T/x; " OAK(
+                       "a") "--leaf-area 10 --remove id:5 >/dev/null 2>&1; cut -d, "
+                            "-f6-10 $T/a/tables/scenarios.csv | sed -n 2p >>$T/x; cat $T/x",
+          CODE_OK,
+          { "0.5," } },
+    };
+    CHECK(rows);
+    shell(FORK("a", "2", "6", "0.01")
+              OAK("a") "--leaf-area 20 --rest stress-free --thin 50% -q >/dev/null 2>&1; cut -d, -f6-10 "
+                       "$T/a/tables/scenarios.csv | sed -n 3p; " OAK(
+                           "a") "--leaf-area 10 --rest stress-free --remove id:5 -q >/dev/null 2>&1; cut -d, "
+                                "-f6-10 $T/a/tables/scenarios.csv | sed -n 2p");
+    char *second = strchr(output, '\n');
+    assert_non_null(second);
+    for (int k = 0; k < 5; k++) {
+        char *a = output, *b = second + 1;
+        for (int i = 0; i < k; i++) a = strchr(a, ',') + 1, b = strchr(b, ',') + 1;
+        if (fabs(atof(a) / atof(b) - 1) > 1e-4) fail_msg("column %d: %s", k, output);
+    }
+}
+
+/* A spruce without needles is a dead one: that is said, also where a scenario alone is without. */
+static void evergreen(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "for s in norway_spruce japanese_larch eucalypt oak; do for x in --leaf-off '--scenarios "
+          "season=leaf_off' '--season "
+          "leaf_off'; do $W assess --species $s --height 20 --girth 1.2 --crown-width 5 --crown-base 3 "
+          "--wind 20 --samples 0 "
+          "$x 2>&1 | grep -c 'keeps its leaves in winter'; done; done | tr -d '\n'",
+          CODE_OK,
+          { "111000111000" } },
+        { TREE
+          "$W analyze scots_pine --tree $T/t.csv --wind 20 --no-report --leaf-area 20 --samples 0 -o $T/a "
+          "--scenarios season=leaf_off",
+          CODE_OK,
+          { "[evergreen]: Scots pine keeps its leaves" } },
     };
     CHECK(rows);
 }
@@ -180,6 +256,7 @@ static void refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(as_alone), cmocka_unit_test(force_when_lost),
-                                        cmocka_unit_test(printed), cmocka_unit_test(refused) };
+                                        cmocka_unit_test(printed),  cmocka_unit_test(evergreen),
+                                        cmocka_unit_test(reduced),  cmocka_unit_test(refused) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

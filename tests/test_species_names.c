@@ -146,6 +146,8 @@ static void unknown_names_have_near_ones(void **state)
         { "$W analyze 毛竺 $RUN", CODE_INPUT, { "or 'moso_bamboo' (Phyllostachys edulis)?" } },
         { "$W species show 云杉", CODE_INPUT, { "'norway_spruce'", "'sitka_spruce'" } },
         { "$W species show oka", CODE_INPUT, { "did you mean 'oak'?" } },
+        { "$W species show larch", CODE_INPUT, { "did you mean 'japanese_larch' (Larix kaempferi)?" } },
+        { "$W species show birtch", CODE_INPUT, { "did you mean 'birch'" } },
         { "$W species show qqqqq", CODE_INPUT, { "there are: ash, beech, birch" } },
         { "$W shelter --model culm --species 毛竺", CODE_INPUT, { "'moso_bamboo'" } },
     };

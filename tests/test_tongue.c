@@ -116,12 +116,14 @@ static void terminal(void **state)
     CHECK(rows);
 }
 
-/* The tables of the other commands: heads, names of species and sentences; and the check finds English where it is. */
+/* The tables of the other commands: heads, names of species and sentences; and the check finds English where
+ * it is. */
 static void tables_of_the_terminal(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "for c in 'analyze scots_pine --model scots_pine --soil mineral --wind 10,20 --directions 8 --samples "
+        { "for c in 'analyze scots_pine --model scots_pine --soil mineral --wind 10,20 --directions 8 "
+          "--samples "
           "0' 'compare oak moso_bamboo --model culm --wind 10,25 --samples 32' 'explain oak --model culm "
           "--wind 8' 'series oak --model culm --wind 8 --duration 2 --step 0.5 --keys 2 --gust cosine "
           "--no-vtk' 'modes oak --model culm --wind 0,10' 'fragility oak --model culm --samples 20'; do "
@@ -130,10 +132,12 @@ static void tables_of_the_terminal(void **state)
           "--duration 2' 'wind kaimal --duration 30 --points 2' 'wind extremes --annual "
           "docs/examples/annual.csv' 'wind rose --file docs/examples/rose.csv'; do $W $c --lang zh "
           "--no-pdf -o $T/out 2>/dev/null; done >>$T/said; python3 tests/tongue.py said <$T/said; grep -c -e "
-          "梢端位移 -e 重现期 -e '欧洲赤松 (' -e 相邻相关 -e 限距 -e 水量 -e 顺风标准差 -e 对数正态 -e 梢端平均 $T/said",
+          "梢端位移 -e 重现期 -e '欧洲赤松 (' -e 相邻相关 -e 限距 -e 水量 -e 顺风标准差 -e 对数正态 -e "
+          "梢端平均 $T/said",
           CODE_OK,
           { " 0 missing\n1" } },
-        { "$W modes oak --model culm --wind 10 --no-report -o $T/out 2>/dev/null | python3 tests/tongue.py said",
+        { "$W modes oak --model culm --wind 10 --no-report -o $T/out 2>/dev/null | python3 tests/tongue.py "
+          "said",
           CODE_RUN,
           { "missing: Modes about the state" } },
     };
@@ -141,6 +145,31 @@ static void tables_of_the_terminal(void **state)
 }
 
 /* Pages of every kind in Chinese; and the check finds English where it is. */
+/* Usage texts: what commands and options are for. Names of commands and lists of words to be typed are no
+ * sentences. */
+static void usage(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "for c in $($W --help=words | awk -F'\t' '$2 == \"command\" { print $1 }') 'tree info' 'tree draw' "
+          "'wind extremes'; do $W $c "
+          "--help --lang zh || echo no help of $c; done >$T/said; grep -v '^  windfirm' $T/said | sed "
+          "'s/[a-z0-9-]*, *//g; "
+          "s/windfirm [a-z]* [a-z]*//' | python3 tests/tongue.py said",
+          CODE_OK,
+          { "looked at, 0 missing" } },
+        { "$W --help --lang zh; $W species list --lang zh | head -n 2; $W species show oak --lang zh; $W "
+          "import docs/examples/scan.csv "
+          "--lang zh; $W assess --help --lang=zh | grep -e --lang",
+          CODE_OK,
+          { "命令：\n  analyze       风对", "欧洲白蜡树", "树冠阻力系数", "分段 CSV，60 个圆柱" } },
+        { "$W assess --help --lang=zh | grep -e --lang",
+          CODE_OK,
+          { "  --lang NAME               报告的语言: en, zh [en]\n" } },
+    };
+    CHECK(rows);
+}
+
 static void pages(void **state)
 {
     (void)state;
@@ -172,7 +201,8 @@ static void pages(void **state)
     CHECK(rows);
 }
 
-/* Names of runs, methods and parameters have words, in figures too, and no title is cut; drawn again in English they are English. */
+/* Names of runs, methods and parameters have words, in figures too, and no title is cut; drawn again in
+ * English they are English. */
 static void names_in_figures(void **state)
 {
     (void)state;
@@ -208,6 +238,7 @@ int main(void)
         cmocka_unit_test(catalogue),
         cmocka_unit_test(terminal),
         cmocka_unit_test(tables_of_the_terminal),
+        cmocka_unit_test(usage),
         cmocka_unit_test(pages),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -50,7 +50,7 @@ def printed():
     """Formats of wf_show with words in them; what comes before it or behind is no part of a text of the catalogue."""
     found = []
     for name in glob.glob('src/cmd/analyze_*.c') + glob.glob('src/cmd/print_*.c') + glob.glob('src/cmd/assess_*.c') + [
-            'src/cmd/cmd_%s.c' % c for c in ('analyze', 'assess', 'explain', 'extremes', 'fit', 'fragility', 'modes', 'rain', 'series',
+            'src/cmd/cmd_%s.c' % c for c in ('analyze', 'assess', 'explain', 'extremes', 'fit', 'fragility', 'import', 'modes', 'rain', 'series', 'species',
                                              'shelter', 'terrain', 'wind')]:
         source = open(name, encoding='utf-8').read()
         for call in re.finditer(r'\bwf_show\(\s*[^,]+,', source):

@@ -29,6 +29,8 @@ array TITLE[2] = [sprintf(L('AROUND_MOMENT'), said(SPEED, number('WIND_LAST', 0)
 array SCALE[3] = [1e-3*PER[MOMENT], PER[SPEED], PER[SPEED]]
 stats AROUND using (at(1, U) ? 1 : NaN) name 'N' nooutput
 COUNT = int(N_records)
+# figures of the rings stand between two directions, away from north
+SECTOR = COUNT ? 360.0/COUNT : 45.0; MID = SECTOR*(ceil(20/SECTOR - 0.5) + 0.5)*pi/180
 do for [p=1:2] {
     unset label; unset arrow; unset object; unset key
     STEP = ring(TOP[p]); RINGS = ceil(TOP[p]/STEP - 1e-9); E = RINGS*STEP
@@ -39,7 +41,8 @@ do for [p=1:2] {
     FOUND = p == 1 || C_max > 0 || S_max > 0
     if (!FOUND) { RINGS = 1; STEP = E; set label L('AROUND_NONE') at 0,0 center front }
     do for [j=1:(FOUND ? RINGS : 0)] {
-        set label sprintf('%g', j*STEP) at first 0.38*j*STEP, 0.92*j*STEP front textcolor rgb '#606060'
+        set object rectangle center first j*STEP*sin(MID), j*STEP*cos(MID) size first 0.075*E*strlen(sprintf('%g', j*STEP)), 0.13*E front fs solid noborder fc rgb '#ffffff'
+        set label sprintf('%g', j*STEP) at first j*STEP*sin(MID), j*STEP*cos(MID) center front textcolor rgb '#606060'
     }
     do for [k=1:4] {
         set arrow from 0,0 to E*sin(k*pi/2), E*cos(k*pi/2) nohead lw 0.6 lc rgb '#dcdcdc' dt 1 back
@@ -55,7 +58,7 @@ do for [p=1:2] {
                 stats AROUND using (at(i, U) && abs(column("from_deg") - a) < 1e-3 ? known(column(COLUMN[q]))*SCALE[q] : NaN) name 'V' nooutput
                 r = V_max > 0 ? V_max : NaN
                 x = r*sin(a*pi/180); y = r*cos(a*pi/180)
-                if (x == x && xo == xo) { set arrow from xo,yo to x,y nohead lt LINE front }
+                if (x == x && xo == xo) { set arrow from xo,yo to x,y nohead lt LINE back } # behind the figures of the rings
                 if (x == x) { set label '' at x,y point lt LINE front }
                 xo = x; yo = y
             }

@@ -45,6 +45,16 @@ static bool beside_unused(const void *options, const struct wf_option *row, char
     return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
 }
 
+static bool reduce_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const char *text = ((const struct wf_analyze_options *)options)->reduce;
+    struct wf_reduced asked = { 0 };
+    (void)row;
+    return wf_option_unused(!wf_reduction_read(text, &asked), why,
+                            "'%.60s' is no reduction: a share up to 90%%, 20%%, or a length up to 50 m, 3m",
+                            text);
+}
+
 static bool roots_wrong(const void *options, const struct wf_option *row, char *why)
 {
     const char *text = ((const struct wf_analyze_options *)options)->root_loss;
@@ -177,8 +187,15 @@ const struct wf_option wf_analyze_options[] = {
           "short for scenarios remove=PART+PART: without a level of branches (level:2, or its name) or the "
           "segment with an id and all that it carries (id:14)",
           .unused = beside_unused),
-    FLAG("--leaf-off", leaf_off, "beside the tree as it stands: when the leaves have fallen",
-         .unused = beside_unused),
+    TEXT("--reduce", reduce, "SHARE|LENGTH", NULL,
+         "beside the tree as it stands: its crown reduced all round, by a share of its height and width "
+         "(20%) or by "
+         "a length (3m)",
+         .wrong = reduce_wrong, .unused = beside_unused),
+    NUMBER("--thin", thin, "SHARE", NONE, NULL, 0, 0.9, NULL,
+           "the same with a share of the crown's load taken out (15%); the branches of a drawn tree stay",
+           .unused = beside_unused),
+    FLAG("--leaf-off", leaf_off, "the same when the leaves have fallen", .unused = beside_unused),
     NUMBER("--cavity-growth", cavity_growth, "LENGTH", LENGTH, "mm", 0, 1000, NULL,
            "the same with so much off the walls of the cavities", .unused = beside_unused),
     TEXT("--root-loss", root_loss, "SHARE|FROM:TO[:SHARE]", NULL,

@@ -42,7 +42,8 @@ struct wf_analyze_options {
     const char *guys, *cables, *rods; /* NULL: none */
     /* beside the tree as it stands; NULL, NAN: not given */
     const char *scenarios, *remove, *root_loss; /* "40 %" or "30deg:120deg:40 %" */
-    double cavity_growth;                       /* [m] */
+    const char *reduce;                         /* "20 %" or "3 m" */
+    double thin, cavity_growth;                 /* [-], [m] */
     bool leaf_off;
     struct wf_pages pages;
     struct wf_job job;

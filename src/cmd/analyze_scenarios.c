@@ -7,6 +7,7 @@
 #include "data/species.h"
 #include "study/beside.h"
 #include <math.h>
+#include <string.h>
 
 /* One scenario, read. */
 struct wf_analyze_scenario {
@@ -19,16 +20,21 @@ struct wf_analyze_scenario {
 
 /* ---- Reading ---- */
 
-/* The tree of a scenario: that of the run, unless it changes what is drawn. */
+/* The tree of a scenario: that of the run, unless it changes what is drawn. Leaves that have fallen are still
+ * those that it stood with: an area given for the tree as it stands is no contradiction. */
 static enum wf_status read_tree(const struct wf_model *whole, const struct wf_scenario_words *x,
                                 struct wf_arena *a, struct wf_diag *d, struct wf_analyze_scenario *out,
                                 struct wf_err *e)
 {
+    struct wf_tree_asked asked = out->options.tree;
     const char *path;
-    if (wf_scenario_draws(x, &out->options.args))
-        return wf_tree_asked_read(&out->options.tree, NULL, a, &out->model, &path, d, e);
     out->model = *whole;
-    return WF_OK;
+    if (!wf_scenario_draws(x, &out->options.args)) return WF_OK;
+    bool fallen = asked.season && !strcmp(asked.season, "leaf_off") && whole->season == WF_LEAF_ON;
+    if (fallen) asked.leaf_area = NAN;
+    enum wf_status s = wf_tree_asked_read(&asked, NULL, a, &out->model, &path, d, e);
+    if (!s && fallen) out->model.leaf_area_on = whole->leaf_area_on;
+    return s;
 }
 
 static enum wf_status read_one(const struct wf_analyze_options *o, const struct wf_model *whole,
@@ -43,7 +49,7 @@ static enum wf_status read_one(const struct wf_analyze_options *o, const struct 
     if (s || d->errors > before) return s;
     s = read_tree(whole, x, a, &own, out, &why);
     if (!s) s = wf_analyze_request_read(&out->options, a, &own, &out->request, &why);
-    if (!s) s = wf_scenario_onto(&out->options, whole, NAN, a, &out->request, &out->model, &why);
+    if (!s) s = wf_scenario_onto(&out->options, false, whole, NAN, a, &out->request, &out->model, &why);
     const struct wf_finding *f = own.first;
     while (f && f->severity != WF_ERROR) f = f->next;
     if (s == WF_ENOMEM) return wf_fail(e, s, "%s", why.text);
@@ -107,6 +113,7 @@ static enum wf_status run_one(const struct wf_analysis *whole, struct wf_analyze
     enum wf_status s = wf_analyze(whole->species, &x->model, &q->scenario, &q->search, q->solver, &q->solve,
                                   wind->speed, wind->n, &scratch, &unsaid, &an, &why);
     if (!s) s = wf_beside_take(&an, a, out, &why);
+    if (!s) wf_beside_pass(&unsaid, whole->diag);
     out->name = x->name, out->removal = x->removal;
     q->scenario.anchorage = said;
     wf_arena_free(&scratch);

@@ -366,6 +366,7 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
         if (strcmp(argv[i], "--") == 0) break;
         const struct wf_usage_form *form = wf_usage_form(argv[i]);
         if (form) {
+            if (argv[i][0] == '-' && !strchr(argv[i], '=')) wf_usage_language(argc, argv);
             form->print(stdout, argv[0], rows, about);
             return 0;
         }

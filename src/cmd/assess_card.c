@@ -130,41 +130,6 @@ static bool towards_unused(const void *options, const struct wf_option *row, cha
     return wf_option_unused(!(((const struct wf_assess_options *)options)->lean > 0), why, "without --lean");
 }
 
-/* ---- Changes ---- */
-
-/* "20 %" or "3 m". Returned: whether it is one of them. */
-static bool read_reduction(const char *text, struct wf_card_change *out)
-{
-    double v;
-    const char *unit = text ? wf_number_read(text, text + strlen(text), '.', &v) : NULL;
-    if (!unit) return !text;
-    unit += strspn(unit, " ");
-    if (!strcmp(unit, "%")) out->reduce_share = v / 100;
-    if (!strcmp(unit, "m")) out->reduce_length = v;
-    return (out->reduce_share > 0 && out->reduce_share <= 0.9) ||
-           (out->reduce_length > 0 && out->reduce_length <= 50);
-}
-
-static bool reduce_wrong(const void *options, const struct wf_option *row, char *why)
-{
-    const char *text = ((const struct wf_assess_options *)options)->reduce;
-    struct wf_card_change change = { 0 };
-    (void)row;
-    return wf_option_unused(!read_reduction(text, &change), why,
-                            "'%.60s' is no reduction: a share up to 90%%, 20%%, or a length up to 50 m, 3m",
-                            text);
-}
-
-/* What is done to the crown of a card, of which the tree of a fit has none. */
-static bool crown_unused(const void *options, const struct wf_option *row, char *why)
-{
-    const struct wf_assess_options *o = options;
-    (void)row;
-    if (o->from)
-        return wf_option_unused(true, why, "with a fit, whose tree has branches: remove=... takes them off");
-    return wf_option_unused(o->run.args.n > 0, why, "with a table of trees; a card has it");
-}
-
 static bool change_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
@@ -222,13 +187,6 @@ static const struct wf_option card_rows[] = {
          "extremes', or a table of annual maxima, 10-min means at 10 m over open country [the code's]"),
     NUMBER("--life", life, "YEARS", NONE, NULL, 1, 1000, "10",
            "time over which the chance of the critical wind is also given"),
-    TEXT("--reduce", reduce, "SHARE|LENGTH", NULL,
-         "beside the tree as it stands: its crown reduced all round, by a share of its height and width "
-         "(20%) or "
-         "by a length (3m)",
-         .wrong = reduce_wrong, .unused = crown_unused),
-    NUMBER("--thin", thin, "SHARE", NONE, NULL, 0, 0.9, NULL, "share of the crown taken out (15%)",
-           .unused = crown_unused),
     TEXT("--reports", reports, "FOLDER", NULL,
          "of a table: also results, tables, plots and pages of each tree, in a folder by the line of its row",
          .unused = reports_unused),
@@ -380,9 +338,12 @@ static enum wf_status read_scan(const struct wf_assess_options *o, struct wf_are
 /* What is done to the crown of a card. */
 static enum wf_status change_crown(struct wf_assess_case *c, struct wf_arena *a, struct wf_err *e)
 {
-    const struct wf_assess_options *o = &c->options;
-    struct wf_card_change change = { .thin = o->thin, .cavity_growth = NAN };
-    (void)read_reduction(o->reduce, &change);
+    const struct wf_analyze_options *o = &c->options.run;
+    struct wf_reduced asked = { 0 };
+    (void)wf_reduction_read(o->reduce, &asked);
+    const struct wf_card_change change = {
+        .reduce_share = asked.share, .reduce_length = asked.length, .thin = o->thin, .cavity_growth = NAN
+    };
     return wf_card_change(&change, a, &c->model, &c->cut, e);
 }
 
@@ -404,7 +365,7 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
     if (!s && card) s = change_crown(c, a, e);
     double grown = card ? c->options.height : c->fit ? c->grown : (double)NAN;
     return s ? s
-             : wf_scenario_onto(&c->options.run, c->whole ? c->whole : &c->model, grown, a, &c->request,
+             : wf_scenario_onto(&c->options.run, card, c->whole ? c->whole : &c->model, grown, a, &c->request,
                                 &c->model, e);
 }
 

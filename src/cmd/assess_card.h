@@ -13,8 +13,6 @@ struct wf_assess_options {
     double height, girth, dbh, crown_base;
     double lean, lean_towards;    /* [rad], clockwise from north; NAN: not given */
     double required;              /* safety [-] */
-    const char *reduce;           /* "20 %" or "3 m"; NULL: not given */
-    double thin;                  /* [-]; NAN: not given */
     const char *from;             /* NULL: none */
     const char *reports;          /* folder, of a table; NULL: none */
     const char *scans;            /* folder of the files that a table names; NULL: that of the table */

@@ -6,6 +6,7 @@
 #include "base/num.h"
 #include "cmd/option.h"
 #include "fit/calibration.h"
+#include "grow/silhouette.h"
 #include "out/folder.h"
 #include "out/reader.h"
 #include "study/verdict.h"
@@ -101,7 +102,8 @@ static struct wf_assess_record *record_of(struct wf_assess_fit *f, const struct 
         if (!strcmp(f->record[k].test, test) && !strcmp(f->record[k].sensor, sensor)) return &f->record[k];
     if (!s || !(of->pull.given || of->wind.given) || f->records == WF_ASSESS_RECORDS) return NULL;
     bool plate = s->kind == WF_SENSOR_TILT && s->height == 0;
-    if (!plate && (s->kind != WF_SENSOR_STRAIN || !of->pull.given)) return NULL;
+    bool stretch = s->kind == WF_SENSOR_EXTENSION && s->gauge > 0;
+    if (!plate && ((s->kind != WF_SENSOR_STRAIN && !stretch) || !of->pull.given)) return NULL;
     const struct wf_calibration_pull *p = &of->pull;
     double slope =
         isnan(p->anchor_distance) ? p->elevation : atan2(p->anchor_height - p->height, p->anchor_distance);
@@ -114,7 +116,10 @@ static struct wf_assess_record *record_of(struct wf_assess_fit *f, const struct 
                                     .azimuth = p->azimuth,
                                     .quarter = NAN,
                                     .in_wind = !of->pull.given,
-                                    .slope = plate ? (double)NAN : 0 };
+                                    .slope = plate ? (double)NAN : 0,
+                                    .gauge = stretch ? s->gauge : 1,
+                                    .offset = s->offset,
+                                    .first = { NAN, NAN } };
     return r;
 }
 
@@ -122,7 +127,9 @@ static struct wf_assess_record *record_of(struct wf_assess_fit *f, const struct 
 static void add_reading(struct wf_assess_record *r, double load, double shown, double *before)
 {
     const double quarter = 0.25 * WF_PI / 180;
-    double size = fabs(shown);
+    if (isnan(r->first[0])) r->first[0] = r->offset ? shown : 0, r->first[1] = r->offset ? load : 0;
+    double size = fabs(shown - r->first[0]), more = load - r->first[1];
+    if (!r->in_wind) r->force = fmax(r->force, load);
     if (r->in_wind) {
         if (size > r->most) r->most = size, r->wind = load;
         return;
@@ -130,7 +137,7 @@ static void add_reading(struct wf_assess_record *r, double load, double shown, d
     if (isnan(r->slope) && isnan(r->quarter) && size >= quarter && r->most < quarter && size > r->most)
         r->quarter =
             r->level * r->rope * (*before + (load - *before) * (quarter - r->most) / (size - r->most));
-    if (!isnan(r->slope) && size > r->most && load > 0) r->slope = size / load;
+    if (!isnan(r->slope) && size > r->most && more > 0) r->slope = size / more;
     if (size > r->most) r->most = size, *before = load;
 }
 
@@ -156,12 +163,14 @@ static enum wf_status read_record(const char *folder, const struct wf_calibratio
         char text[80];
         if (!r || wf_csv_value(&csv, at[3], &load) || wf_csv_value(&csv, at[5], &shown)) continue;
         struct wf_column unit = { "measured", wf_csv_text(&csv, at[2]),
-                                  isnan(r->slope) ? WF_DIM_ANGLE : WF_DIM_NONE };
+                                  isnan(r->slope) ? WF_DIM_ANGLE
+                                  : r->gauge != 1 ? WF_DIM_LENGTH
+                                                  : WF_DIM_NONE };
         (void)snprintf(text, sizeof text, "1 %.40s", wf_csv_text(&csv, at[4]));
         if (wf_quantity_read(units, text, r->in_wind ? WF_DIM_SPEED : WF_DIM_FORCE, &factor, &unsaid))
             continue;
         if (wf_column_unit(units, &unit, &si, &unsaid)) continue;
-        add_reading(r, factor * load, si * shown, &before[r - out->record]);
+        add_reading(r, factor * load, si * shown / r->gauge, &before[r - out->record]);
     }
     wf_units_close(units);
     return s;
@@ -207,7 +216,13 @@ enum wf_status wf_assess_fit_model(const struct wf_assess_fit *f, const struct w
                                    struct wf_err *e)
 {
     enum wf_status s = wf_model_read(f->model, a, out, d, e);
-    return s ? s : wf_tree_asked_onto(&o->tree, false, a, out, d, e);
+    if (!s) s = wf_tree_asked_onto(&o->tree, false, a, out, d, e);
+    bool crown = out->leaf_area_on > 0 || wf_silhouette_area(&out->silhouette) > 0;
+    if (s || crown || out->season == WF_LEAF_OFF) return s;
+    return wf_fail(e, WF_EINPUT,
+                   "%s: the model that was fitted has no crown, and wood alone catches too little wind: give "
+                   "--crown-width with --crown-depth, or --frontal-area, or --season leaf_off",
+                   f->model);
 }
 
 enum wf_status wf_assess_fit_onto(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
@@ -299,6 +314,20 @@ static void say_strain(struct wf_diag *d, const struct wf_assess_record *r, cons
                      r->test, r->sensor, 100 * r->most / limit);
 }
 
+/* What the rope put on the ground at most, beside the wind: needs neither a strength nor a rule. */
+static void say_force(struct wf_diag *d, const struct wf_assess_record *r, const struct wf_analysis *an)
+{
+    double held = r->force * r->level * r->rope, wind = an->at[an->n - 1].base_moment;
+    if (!(held > 0) || !(wind > 0)) return;
+    wf_diag_warn(
+        d, RECORD,
+        "%s: the largest force of these readings put %.4g kN m on the ground, %.2f times the %.4g kN m in "
+        "the "
+        "wind. A tree that stood it has at least that safety at the ground (a rope bends it otherwise "
+        "than wind does higher up); one that failed by it has no more",
+        r->test, held / 1e3, held / wind, wind / 1e3);
+}
+
 enum wf_status wf_assess_fit_say(const struct wf_assess_fit *f, const struct wf_analysis *an,
                                  struct wf_arena *a, struct wf_assessment *out, struct wf_err *e)
 {
@@ -312,6 +341,9 @@ enum wf_status wf_assess_fit_say(const struct wf_assess_fit *f, const struct wf_
             say_plate(d, &f->record[k], an);
         else
             say_strain(d, &f->record[k], an);
+    for (size_t k = 0; k < f->records; k++)
+        if (!f->record[k].in_wind && (!k || strcmp(f->record[k].test, f->record[k - 1].test) != 0))
+            say_force(d, &f->record[k], an);
     if (!f->records) wf_diag_warn(d, RECORD, "it has no tilt of the root plate, and no strain under a rope");
     if (f->root.given)
         wf_diag_warn(

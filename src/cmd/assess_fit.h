@@ -17,7 +17,11 @@ struct wf_assess_record {
     double azimuth;     /* towards which the tree was pulled [rad] */
     double quarter;     /* moment on the ground at 0.25 deg of the plate [N m]; NAN: not reached */
     double slope;       /* strain over force [1/N]; NAN: it is no strain */
-    double most;        /* largest reading [rad] or [-] */
+    double gauge;       /* length by which an extension is a strain [m]; 1: it is one [-] */
+    bool offset;        /* readings do not begin at 0: slopes are from the first one */
+    double first[2];    /* reading and force of that; NAN: none yet */
+    double most;        /* largest reading, or what it rose by from the first [rad] or [-] */
+    double force;       /* largest of the rope [N] */
     bool in_wind;       /* a tilt of the root plate in wind: of the above `most` alone */
     double wind;        /* at that reading [m/s] */
 };

@@ -230,25 +230,35 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
 }
 
-static void print_scenario(FILE *to, const char *name, double cut, double breakage, double overturning,
-                           double critical, enum wf_assess_word word)
+/* `listed`: with the safety of branches. */
+static void print_scenario(FILE *to, const struct wf_beside *x, bool listed)
 {
-    wf_print_name(to, name, 36);
-    if (cut > 0)
-        wf_show(to, "%7.0f %%%s", 100 * cut, cut > WF_ASSESS_CUT_FLAGGED ? "!" : " ");
+    wf_print_name(to, x->name ? x->name : "as it stands", 36);
+    if (x->cut > 0)
+        wf_show(to, "%7.0f %%%s", 100 * x->cut, x->cut > WF_ASSESS_CUT_FLAGGED ? "!" : " ");
     else
         wf_show(to, "%10s", "- ");
-    print_number(to, 10, breakage);
-    print_number(to, 13, overturning);
-    print_number(to, 13, critical);
-    wf_show(to, "  %s\n", wf_assess_rows[word].name);
+    print_number(to, 10, x->breakage);
+    print_number(to, 13, x->overturning);
+    if (listed) print_number(to, 10, x->branches);
+    print_number(to, 13, x->critical);
+    wf_show(to, "  %s\n", wf_assess_rows[x->word].name);
+}
+
+static void print_table(FILE *to, const struct wf_besides *all)
+{
+    bool listed = false;
+    for (size_t k = 0; k < all->n; k++) listed = listed || isfinite(all->item[k].branches);
+    wf_show(to, "\n%36s%10s%10s%13s", "what is done", "crown cut", "breakage", "overturning");
+    if (listed) wf_show(to, "%10s", "branches");
+    wf_show(to, "%13s  %s\n", "critical m/s", "verdict");
+    for (size_t k = 0; k < all->n; k++) print_scenario(to, &all->item[k], listed);
 }
 
 /* The tree as it stands beside what may be done to it. */
 static void print_scenarios(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_assessment *x = an->assessment;
-    struct wf_verdict v = wf_verdict_of(an->breaks);
     bool flagged = x->reduction_cut > WF_ASSESS_CUT_FLAGGED;
     if (isfinite(x->reduction))
         wf_show(to,
@@ -258,17 +268,8 @@ static void print_scenarios(FILE *to, const struct wf_analysis *an)
                 x->required, 100 * x->reduction, 100 * x->reduction_cut);
     else if (isinf(x->reduction))
         wf_show(to, "  no reduction of the crown up to 60 %% reaches a safety of %.3g\n", x->required);
-    if (x->scenarios) {
-        wf_show(to, "\n%36s%10s%10s%13s%13s  verdict\n", "what is done", "crown cut", "breakage",
-                "overturning", "critical m/s");
-        print_scenario(to, "as it stands", 0, x->breakage.safety, x->overturning.safety,
-                       v.loss ? v.loss->critical.speed : (double)NAN, x->word);
-    }
-    for (size_t k = 0; k < x->scenarios; k++) {
-        const struct wf_beside *q = &x->scenario[k];
-        print_scenario(to, q->name, q->cut, q->breakage, q->overturning, q->critical, q->word);
-        flagged = flagged || q->cut > WF_ASSESS_CUT_FLAGGED;
-    }
+    if (an->beside) print_table(to, an->beside);
+    for (size_t k = 0; k < x->scenarios; k++) flagged = flagged || x->scenario[k].cut > WF_ASSESS_CUT_FLAGGED;
     if (x->scenarios) wf_show(to, "  scenarios are without an interval: 'incomplete' may be uncertain\n");
     wf_print_beside_holds(to, x->scenarios, x->scenario);
     for (size_t k = 0; k < x->scenarios; k++) {

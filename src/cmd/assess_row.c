@@ -30,21 +30,35 @@ static const struct known {
     { "--card", "tree_name baumname nom_arbre 树名", false },
     { "--species",
       "tree_species species_name latin_name botanical_name art baumart essence espece espèce 树种", false },
-    { "--height", "tree_height total_height h höhe hoehe baumhöhe baumhoehe hauteur 树高 高度", false },
-    { "--girth", "gbh circumference umfang stammumfang circonférence circonference 胸围 干周", false },
-    { "--dbh", "d130 diameter diameter_at_breast_height bhd brusthöhendurchmesser diamètre diametre 胸径",
+    { "--height",
+      "tree_height height_tree total_height h höhe hoehe baumhöhe baumhoehe gesamthöhe hauteur "
+      "hauteur_totale hauteur_arbre "
+      "树高 高度",
+      false },
+    { "--girth",
+      "gbh circumference trunk_girth stem_girth girth_at_breast_height umfang stammumfang stu "
+      "brusthöhenumfang "
+      "circonférence circonference circonférence_tronc circonference_tronc 胸围 干周",
+      false },
+    { "--dbh",
+      "d130 diameter trunk_diameter stem_diameter diameter_at_breast_height bhd brusthöhendurchmesser "
+      "stammdurchmesser diamètre diametre diamètre_tronc diametre_tronc 胸径",
       false },
     { "--crown-width",
       "crown_diameter kronenbreite kronendurchmesser largeur_houppier diamètre_houppier diametre_houppier "
-      "冠幅",
+      "crown_spread canopy_width canopy_spread kronendm 冠幅",
       false },
     { "--crown-depth", "crown_length kronenlänge kronenlaenge longueur_houppier 冠长", false },
-    { "--crown-base", "crown_base_height kronenansatz kronenansatzhöhe base_houppier 枝下高", false },
+    { "--crown-base",
+      "crown_base_height kronenansatz kronenansatzhöhe kronenansatzhoehe base_houppier hauteur_base_houppier "
+      "枝下高",
+      false },
     { "--crown-form", "crown_shape kronenform forme_houppier 冠形", false },
     { "--frontal-area", "crown_area_side segelfläche kronenansicht surface_frontale 迎风面积", false },
     { "--lean", "neigung schrägstand inclinaison 倾斜 倾角", false },
     { "--lean-towards", "lean_direction neigungsrichtung direction_inclinaison 倾斜方向", false },
     { "--soil", "soil_type boden bodenart sol 土壤", false },
+    { "--rooting", "rooting_depth durchwurzelung wurzeltiefe enracinement 根系深度", false },
     { "--cavity", "höhlung hoehlung cavité cavite 空洞", false },
     { "--bark", "bark_thickness rinde rindendicke écorce ecorce 树皮", false },
     { "--season", "leaf_state belaubung saison 季节", false },
@@ -87,7 +101,19 @@ struct wf_tree_columns {
 
 static const size_t NONE = (size_t)-1;
 
-/* A name as it is compared: letters of ASCII small, '_' for blanks and '-'. */
+/* "largeur_du_houppier" is largeur_houppier, and "height_of_the_tree" height_tree. */
+static void drop_particles(char *name)
+{
+    static const char *const particle[] = { "_du_", "_de_la_", "_des_", "_de_", "_of_the_", "_of_" };
+    for (size_t k = 0; k < WF_COUNT(particle); k++)
+        for (char *at; (at = strstr(name, particle[k]));) {
+            const char *rest = at + strlen(particle[k]);
+            at[0] = '_';
+            memmove(at + 1, rest, strlen(rest) + 1);
+        }
+}
+
+/* A name as it is compared: letters of ASCII small, '_' for blanks and '-', without particles. */
 static void plain_name(const char *name, size_t n, char *out, size_t size)
 {
     size_t used = 0;
@@ -97,6 +123,7 @@ static void plain_name(const char *name, size_t n, char *out, size_t size)
         out[used++] = c == ' ' || c == '-' ? '_' : (char)(c < 128 ? tolower(c) : c);
     }
     out[used] = '\0';
+    drop_particles(out);
 }
 
 static bool among(const char *names, const char *name)
@@ -136,6 +163,8 @@ static void recognise(struct wf_tree_columns *c, const char *name, size_t at)
                     wf_name_unit(c->units, name, rows[row].dimension, &factor, &stem, &unsaid);
         plain_name(name, unit ? stem : 0, less, sizeof less);
         if (!is_called(&known[k], whole) && !(unit && is_called(&known[k], less))) continue;
+        /* of a table of anchorage alone: without one it is only kept */
+        if (!strcmp(known[k].option, "--rooting") && !c->line->run.anchorage.table) continue;
         c->option[at] = row, c->as[at] = &known[k];
         if (unit && !is_called(&known[k], whole)) c->factor[at] = factor;
         c->stands = c->stands || !strcmp(known[k].option, "--spacing");
@@ -570,11 +599,20 @@ static const char *number_of(const struct wf_rows *r, struct wf_arena *a)
     return NULL;
 }
 
-static const char *row_fault(const struct wf_rows *r, struct wf_arena *a)
+/* Does no column that was taken hold anything in this row? */
+static bool is_empty(const struct wf_tree_columns *c, const struct wf_rows *r)
+{
+    for (size_t k = 0; k < r->cells && k < r->columns; k++)
+        if (c->option[k] != NONE && !wf_csv_missing(r->cell[k], strlen(r->cell[k]))) return false;
+    return true;
+}
+
+static const char *row_fault(const struct wf_tree_columns *c, const struct wf_rows *r, struct wf_arena *a)
 {
     const char *rest = "";
     if (r->wrong)
         return wf_arena_print(a, "line %zu: %s; the row stands in the first cell", r->line, r->wrong);
+    if (is_empty(c, r)) return wf_arena_print(a, "line %zu: the row is empty", r->line);
     if (r->cells == r->columns) return NULL;
     for (size_t k = r->columns; k < r->cells && rest; k++)
         rest = wf_arena_print(a, "%s%s'%s'", rest, *rest ? ", " : ": ", r->cell[k]);
@@ -592,7 +630,7 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
     }
     out->state = WF_ROW_MISTAKE;
     out->text = text_of(r, out);
-    out->reason = row_fault(r, &out->arena);
+    out->reason = row_fault(c, r, &out->arena);
     out->number = number_of(r, &out->arena);
     if (!out->text) return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
     if (out->reason) return WF_OK;

@@ -70,16 +70,17 @@ static enum wf_status fail_case(enum wf_status s, const char *name, const struct
     return s ? wf_fail(e, s, "scenario '%s': %s", name, f ? f->text : why->text) : WF_OK;
 }
 
-static enum wf_status run_case(struct wf_assess_case *c, const struct wf_species *sp, struct wf_arena *a,
+static enum wf_status run_case(struct wf_assess_case *c, const struct wf_analysis *whole, struct wf_arena *a,
                                struct wf_beside *out, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_diag d = { .arena = &scratch };
     struct wf_err why = { WF_OK, "" };
-    c->species = sp;
+    c->species = whole->species;
     enum wf_status s = wf_assess_case_read(c, &scratch, &d, &why);
     if (!s) s = wf_assess_case_run(c, &scratch, &d, &why);
     if (!s) s = take_result(c, a, out, &why);
+    if (!s) wf_beside_pass(&d, whole->diag);
     s = fail_case(s, out->name, &d, &why, e);
     wf_arena_free(&scratch);
     return s;
@@ -116,7 +117,7 @@ static bool enough(const struct wf_beside *x, double required)
 }
 
 /* By halves: from 0 to 60 % of the crown's height and width, to 1 %. */
-static enum wf_status find_reduction(const struct wf_assess_options *o, const struct wf_species *sp,
+static enum wf_status find_reduction(const struct wf_assess_options *o, const struct wf_analysis *whole,
                                      struct wf_arena *a, struct wf_assessment *x, struct wf_err *e)
 {
     const double most = 0.6;
@@ -127,12 +128,12 @@ static enum wf_status find_reduction(const struct wf_assess_options *o, const st
     for (double share = most; share == most || high - low > 0.01; share = 0.5 * (low + high)) {
         *c = (struct wf_assess_case){ .options = *o };
         c->options.run.samples = 0;
-        c->options.thin = c->options.run.cavity_growth = NAN, c->options.run.root_loss = NULL;
+        c->options.run.thin = c->options.run.cavity_growth = NAN, c->options.run.root_loss = NULL;
         c->options.run.leaf_off = false;
-        if (!(c->options.reduce = wf_arena_print(a, "%.4g%%", 100 * share)))
+        if (!(c->options.run.reduce = wf_arena_print(a, "%.4g%%", 100 * share)))
             return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
-        at = (struct wf_beside){ .name = c->options.reduce };
-        enum wf_status s = run_case(c, sp, a, &at, e);
+        at = (struct wf_beside){ .name = c->options.run.reduce };
+        enum wf_status s = run_case(c, whole, a, &at, e);
         if (s) return s;
         bool is = enough(&at, o->required);
         if (share == most && !is) return x->reduction = INFINITY, WF_OK;
@@ -167,15 +168,14 @@ enum wf_status wf_assess_list_run(const struct wf_assess_list *list, const struc
                                   struct wf_arena *a, struct wf_analysis *an, struct wf_assessment *x,
                                   struct wf_err *e)
 {
-    const struct wf_species *sp = an->species;
     enum wf_status s = WF_OK;
     for (size_t k = 0; k < list->n && !s; k++) {
         of_list(list, k);
-        s = run_case(&list->item[k], sp, a, &list->scenario[k], e);
+        s = run_case(&list->item[k], an, a, &list->scenario[k], e);
     }
     x->scenarios = list->n, x->scenario = list->scenario;
     if (!s) s = put_beside(x, a, an, e);
     bool width = !list->fit && (o->run.tree.crown.width > 0 || o->run.tree.outline);
     bool low = fmin(x->breakage.safety, x->overturning.safety) < x->required;
-    return !s && low && width ? find_reduction(o, sp, a, x, e) : s;
+    return !s && low && width ? find_reduction(o, an, a, x, e) : s;
 }

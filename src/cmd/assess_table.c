@@ -250,8 +250,10 @@ static void show(struct table *t, bool last)
     if (t->line->run.args.quiet || (!last && since(&t->shown) < (live ? 0.5 : 10))) return;
     (void)clock_gettime(CLOCK_MONOTONIC, &t->shown);
     if (live && !last) fputs("\r", stderr);
-    wf_show(stderr, "%zu rows: %zu assessed, %zu with mistakes, %zu failed; %.3g/s", t->written, t->done,
+    size_t rows = t->done + t->mistakes + t->failed;
+    wf_show(stderr, "%zu rows: %zu assessed, %zu with mistakes, %zu failed; %.3g/s", rows, t->done,
             t->mistakes, t->failed, run > 0 ? (double)fresh / run : 0);
+    if (t->written > rows) wf_show(stderr, "; %zu blank lines and remarks kept", t->written - rows);
     fputs(live && !last ? "\033[K" : "\n", stderr);
     fflush(stderr);
 }

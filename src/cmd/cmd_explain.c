@@ -145,8 +145,8 @@ static void warn_of_departures(const struct wf_analysis *an, struct wf_diag *d)
     }
 }
 
-static enum wf_status explain(const struct explain_options *o, const struct wf_doc_head *head,
-                              struct wf_arena *a, struct wf_err *e)
+static enum wf_status explain(const struct explain_options *o, struct wf_doc_head *head, struct wf_arena *a,
+                              struct wf_err *e)
 {
     struct wf_diag d = { .arena = a }, leaves = { .arena = a };
     struct wf_species sp;
@@ -188,6 +188,8 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
                                      .speed = o->wind,
                                      .scenario = &an.scenario,
                                      .findings = &leaves };
+    wf_doc_head_file(head, "model", m.file);
+    wf_doc_head_file(head, "species", sp.file);
     s = of.name ? wf_explain_write(&of, head, f.stage, e) : wf_fail(e, WF_ENOMEM, "no memory");
     if (!s) s = wf_results_end(&f, &o->pages, a, NULL, e);
     wf_run_abandon(&f);

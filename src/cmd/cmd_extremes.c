@@ -292,6 +292,8 @@ static enum wf_status extremes(void *work, struct wf_doc_head *head, struct wf_r
     if (!s) s = wf_results_begin(f, o->output, o->pages.none ? NULL : "extremes", e);
     if (s) return s;
     if (!o->args.quiet) print_levels(&x), print_winds(&x);
+    wf_doc_head_file(head, "data", o->annual);
+    wf_doc_head_file(head, "data", o->record);
     s = wf_extremes_write(&x, d, head, f->stage, e);
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)

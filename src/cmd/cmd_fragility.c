@@ -152,6 +152,8 @@ static enum wf_status fragility(void *work, struct wf_doc_head *head, struct wf_
     if (s) return s;
     if (!o->args.quiet) wf_print_head(stdout, &an), wf_print_interval(stdout, &an), print_curve(&an);
     const char *name = wf_arena_print(a, "%s, %s", sp.name, m.name);
+    wf_doc_head_file(head, o->tree.file ? "tree" : "model", m.file);
+    wf_doc_head_file(head, "species", sp.file);
     s = name ? wf_fragility_write(&an, name, sp.name_zh, d, head, f->stage, e)
              : wf_fail(e, WF_ENOMEM, "no memory");
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);

@@ -15,6 +15,7 @@ struct import_options {
     const char *output; /* NULL: nothing is written                   */
     const char *to;     /* form to write; NULL: by the name of `output` */
     struct wf_import_asked import;
+    const char *lang;
 };
 
 #define OPTIONS struct import_options
@@ -26,15 +27,15 @@ static const struct wf_option options[] = {
     CHOICE("--to", to, "FORM", "csv|txt|mtg|mat|vtk", NULL,
            "form to write, whatever the name's ending; in a folder it gives the ending [csv]"),
     WF_IMPORT_ROWS(import, NULL),
+    WF_SPOKEN_ROW(lang),
     WF_QUIET_ROW,
     { 0 },
 };
 
 static const char about[] =
-    "  Read measured trees (TreeQSM text and .mat, SimpleForest, aRchi, rTwig, OpenAlea MTG, raycloudtools,\n"
-    "  PypeTree, SWC, treegraph, hand-measured and plain tables), repair and count what needs repair, and "
-    "write them in one form.\n"
-    "  A file that cannot be read does not stop the others; the exit code is then 2.";
+    "Read measured trees (TreeQSM text and .mat, SimpleForest, aRchi, rTwig, OpenAlea MTG, raycloudtools, "
+    "PypeTree, SWC, treegraph, hand-measured and plain tables), repair and count what needs repair, and "
+    "write them in one form. A file that cannot be read does not stop the others; the exit code is then 2.";
 
 static bool is_folder(const char *path)
 {

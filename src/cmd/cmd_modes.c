@@ -185,6 +185,8 @@ static enum wf_status modes(void *work, struct wf_doc_head *head, struct wf_run_
     if (!o->args.quiet) print_list(&list);
     const char *name = wf_arena_print(a, "%s, %s", sp.name, m.name);
     list.name_zh = sp.name_zh;
+    wf_doc_head_file(head, o->tree.file ? "tree" : "model", m.file);
+    wf_doc_head_file(head, "species", sp.file);
     s = name ? wf_modes_write(&list, name, d, head, f->stage, e) : wf_fail(e, WF_ENOMEM, "no memory");
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)

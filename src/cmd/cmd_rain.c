@@ -424,6 +424,7 @@ static enum wf_status rain(void *work, struct wf_doc_head *head, struct wf_run_f
     wf_progress_clear();
     if (s) return s;
     if (!o->args.quiet) print_run(run.name, &result);
+    wf_doc_head_file(head, "species", sp.file);
     s = wf_rain_results_write(&page, head, f->stage, e);
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)
@@ -443,7 +444,8 @@ int wf_cmd_rain(int argc, char **argv)
 
 /* ---- windfirm papers yang2011 ---- */
 
-/* Table 1 of the paper: leaves, mesh of a leaf for no fewer vertices and facets, grid, drops, frames a second. */
+/* Table 1 of the paper: leaves, mesh of a leaf for no fewer vertices and facets, grid, drops, frames a
+ * second. */
 static const struct {
     size_t scene, leaves, vertices, facets, mesh[2];
     double frames[3][2]; /* grids 128, 256, 512; 20 and 200 drops */
@@ -557,8 +559,7 @@ static enum wf_status paper(void *work, struct wf_doc_head *head, struct wf_run_
     if ((s && s != WF_EINTERRUPTED) || (s = time_scenes(&sp, speed, &page.speeds, e))) return s;
     for (size_t r = 0; r < page.n && !o->args.quiet; r++) print_run(run[r].name, &result[r]);
     for (size_t r = 0; r < page.n; r++)
-        for (const struct wf_finding *w = diag[r].first; w; w = w->next)
-            wf_diag_pass(d, w);
+        for (const struct wf_finding *w = diag[r].first; w; w = w->next) wf_diag_pass(d, w);
     s = wf_rain_results_write(&page, head, f->stage, e);
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)

@@ -89,8 +89,8 @@ const struct wf_option wf_shelter_options[] = {
 };
 
 static const char about[] =
-    "  Cut a tree across the wind into slabs, project each on a grid, and compute the wind that its "
-    "branches\n  and leaves leave inside and behind it; bend the tree in that wind and in the open, side by "
+    "Cut a tree across the wind into slabs, project each on a grid, and compute the wind that its "
+    "branches and leaves leave inside and behind it; bend the tree in that wind and in the open, side by "
     "side.\n"
     "\n"
     "  windfirm shelter --model scots_pine --species scots_pine --wind 15\n"
@@ -99,7 +99,6 @@ static const char about[] =
 /* Everything of one run. */
 struct work {
     struct shelter_options options;
-    struct wf_doc_head head;
     struct wf_species species;
     struct wf_model model;
     struct wf_tree tree;
@@ -253,7 +252,6 @@ static enum wf_status shelter(void *work, struct wf_doc_head *head, struct wf_ru
                               struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct work *w = work;
-    w->head = *head;
     const struct shelter_options *o = &w->options;
     bool motion = !o->no_motion, quiet = o->args.quiet;
     enum wf_status s = make_request(w, a, d, e);
@@ -276,7 +274,9 @@ static enum wf_status shelter(void *work, struct wf_doc_head *head, struct wf_ru
         wf_print_site(stdout, &w->scenario);
         print_shelter(stdout, &w->run);
     }
-    s = wf_shelter_results_write(&w->run, &w->head, d, e);
+    wf_doc_head_file(head, w->model.key ? "model" : "tree", w->model.key ? w->model.file : o->tree);
+    wf_doc_head_file(head, "species", w->species.file);
+    s = wf_shelter_results_write(&w->run, head, d, e);
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", o->pages.none ? "" : ", plots and page", o->output);
     return s;

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/num.h"
+#include "base/said.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "data/species.h"
 #include "data/species_names.h"
 #include "load/drag.h"
@@ -13,6 +15,7 @@
 struct species_options {
     struct wf_args args;
     const char *search; /* NULL: all tables are listed */
+    const char *lang;
 };
 
 static bool search_unused(const void *options, const struct wf_option *row, char *why)
@@ -29,6 +32,7 @@ static const struct wf_option options[] = {
          "French; "
          "letter case and accents make no difference",
          .unused = search_unused),
+    WF_SPOKEN_ROW(lang),
     { 0 },
 };
 #undef OPTIONS
@@ -59,6 +63,7 @@ static int list_species(const char *search, struct wf_arena *a)
     struct wf_species_library l;
     size_t shown = 0;
     if (wf_species_library_read(wf_share(), &wf_laws, a, &l, &d, &e)) return wf_complain(&e);
+    for (size_t i = 0; i < l.n; i++) wf_show_name(l.species[i].name, l.species[i].name_zh);
     for (size_t i = 0; i < l.n; i++) {
         const char *found = search ? wf_species_name_with(&l.species[i], search, a) : NULL;
         if (search && !found) continue;
@@ -70,8 +75,17 @@ static int list_species(const char *search, struct wf_arena *a)
     return d.errors ? 2 : 0;
 }
 
-/* table: of the part, in which the value's key is. */
-static void show_value(struct wf_units *u, const char *table, const struct wf_property *p)
+/* A key of the table, in other languages the name of the value; of: "crown." for the values of a crown. */
+static const char *key_said(const char *of, const char *key, struct wf_arena *a)
+{
+    const char *whole = wf_arena_print(a, "%s%s", of, key);
+    const struct wf_said said = { .message = "{1}", .n = 1, .arg = { whole } };
+    const char *own = whole ? wf_show_words(&said, a) : NULL;
+    return own && strcmp(own, whole) != 0 ? own : key;
+}
+
+/* of: "crown." for those of a crown; table: of the part, in which the value's key is. */
+static void show_value(struct wf_units *u, const char *of, const char *table, const struct wf_property *p)
 {
     const struct wf_value *v = p->value;
     char value[40], range[96] = "", low[40], high[40], key[96];
@@ -84,15 +98,17 @@ static void show_value(struct wf_units *u, const char *table, const struct wf_pr
         high[strcspn(high, " ")] = '\0';
         snprintf(range, sizeof range, "%s..%s", low, high);
     }
+    struct wf_arena a = { 0 };
     snprintf(key, sizeof key, "%s%s", table, p->key);
-    wf_show(stdout, "  %-22s %-14s %-14s %-9s %s\n", key, value, range, wf_standing_text(v->standing),
-            v->source ? v->source : "");
+    wf_show(stdout, "  %-22s %-14s %-14s %-9s %s\n", key_said(of, key, &a), value, range,
+            wf_standing_text(v->standing), v->source ? v->source : "");
+    wf_arena_free(&a);
 }
 
 static void show_level(struct wf_units *u, const struct wf_level *l)
 {
     struct wf_property p;
-    for (size_t i = 0; wf_level_property(l, i, &p); i++) show_value(u, "", &p);
+    for (size_t i = 0; wf_level_property(l, i, &p); i++) show_value(u, "", "", &p);
     for (size_t k = 0; k < l->wall.n; k++)
         wf_show(stdout, "  %-22s %.4g of the radius at %.4g of the length%s%s\n", k ? "" : "wall",
                 l->wall.v[k], l->wall.s[k], k ? "" : ", ", k ? "" : wf_standing_text(l->wall_note.standing));
@@ -102,9 +118,9 @@ static void show_crown(struct wf_units *u, const struct wf_species *sp)
 {
     struct wf_property p;
     const struct wf_law *law = wf_law_named(wf_laws.streamlining, sp->streamlining.law);
-    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) show_value(u, "", &p);
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) show_value(u, "crown.", "", &p);
     for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
-        show_value(u, "streamlining.", &p);
+        show_value(u, "crown.", "streamlining.", &p);
 }
 
 static int show_species(const char *name, struct wf_arena *a)
@@ -117,6 +133,7 @@ static int show_species(const char *name, struct wf_arena *a)
     wf_print_findings(&d, false);
     if (s) return d.errors ? 2 : wf_complain(&e);
     if (wf_units_open(&u, &e)) return wf_complain(&e);
+    wf_show_name(sp.name, sp.name_zh);
     wf_show(stdout, "%s, %s%s%s%s%s\nfile: %s; preset: %s\n", sp.key, sp.name, sp.name_zh ? " " : "",
             sp.name_zh ? sp.name_zh : "", sp.latin ? ", " : "", sp.latin ? sp.latin : "", sp.file, sp.preset);
     for (size_t i = 0; i < sp.aliases; i++)

@@ -57,9 +57,9 @@ static const struct wf_option options[] = {
 };
 
 static const char about[] =
-    "  Generate ground by the diamond-square rule or read it, and give each place its exposure: "
-    "topex-to-distance\n"
-    "  (Hannah et al. 1995) and the speed-up of the wind over low hills (Jackson & Hunt 1975).\n"
+    "Generate ground by the diamond-square rule or read it, and give each place its exposure: "
+    "topex-to-distance (Hannah et al. 1995) and the speed-up of the wind over low hills (Jackson & Hunt "
+    "1975).\n"
     "\n"
     "  windfirm terrain --size 8 --relief 40 --seed 3 --from 240\n"
     "  windfirm terrain --dem heights.asc --positions trees.csv -o out/site";
@@ -136,7 +136,7 @@ static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
                      100.0 * (double)s->unseen / (double)(s->ground.rows * s->ground.columns));
 }
 
-static enum wf_status survey(const struct terrain_options *o, const struct wf_doc_head *head,
+static enum wf_status survey(const struct terrain_options *o, struct wf_doc_head *head,
                              struct wf_terrain_site *s, struct wf_arena *a, struct wf_diag *d,
                              struct wf_err *e)
 {
@@ -150,6 +150,8 @@ static enum wf_status survey(const struct terrain_options *o, const struct wf_do
     if (!status) status = expose_points(o, s, a, e);
     wf_progress_clear();
     if (!status) warn_of_limits(s, d);
+    wf_doc_head_file(head, "ground", o->dem);
+    wf_doc_head_file(head, "data", o->positions);
     if (!status) status = wf_terrain_results_write(s, head, d, f.stage, e);
     if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, f.stage, a, d, e);
     if (!status) status = wf_results_end(&f, &o->pages, a, NULL, e);

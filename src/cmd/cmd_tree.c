@@ -121,9 +121,9 @@ static const struct wf_option info_options[] = {
 
 static const char info_about[] =
     "  windfirm tree info FILE...\n"
-    "  Size of measured trees: height, dbh, wood, surface, sail, branches, and what had to be repaired.\n"
-    "  Of a file of several trees, or with --scan-model all: a line for each tree or model.\n"
-    "  A file that cannot be read does not stop the others; the exit code is then 2.";
+    "Size of measured trees: height, dbh, wood, surface, sail, branches, and what had to be repaired. "
+    "Of a file of several trees, or with --scan-model all: a line for each tree or model. "
+    "A file that cannot be read does not stop the others; the exit code is then 2.";
 
 struct ask {
     const struct info_options *options;
@@ -298,7 +298,7 @@ static const struct wf_option draw_options[] = {
 static const char draw_about[] =
     "  windfirm tree draw --model MODEL --species SPECIES -o FILE.svg\n"
     "  windfirm tree draw TREE -o FILE.png\n"
-    "  A tree from the front and the side, coloured by branching level, with its parameters.";
+    "A tree from the front and the side, coloured by branching level, with its parameters.";
 
 static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_err *e)

@@ -117,12 +117,12 @@ const struct wf_option wf_wind_options[] = {
 };
 
 static const char about[] =
-    "  Make a wind that changes with time, compare it with what was specified, write and draw it.\n"
-    "  MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
-    "frequency,\n"
-    "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) or makes it from a station's record, and "
-    "draws it;\n"
-    "  `windfirm wind extremes` says how often a wind is exceeded (`windfirm wind extremes --help`).\n"
+    "Make a wind that changes with time, compare it with what was specified, write and draw it. "
+    "MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
+    "frequency, weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) or makes it from a station's "
+    "record, "
+    "and draws it; `windfirm wind extremes` says how often a wind is exceeded (`windfirm wind extremes "
+    "--help`).\n"
     "\n"
     "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
     "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms\n"
@@ -400,13 +400,14 @@ static enum wf_status write_stream(const struct wind_options *o, const struct wf
     return s;
 }
 
-static enum wf_status make_wind(const struct wind_options *o, const struct wf_doc_head *head,
-                                struct wf_arena *a, struct wf_err *e)
+static enum wf_status make_wind(const struct wind_options *o, struct wf_doc_head *head, struct wf_arena *a,
+                                struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_gust_spec spec;
     bool quiet = o->args.quiet;
     enum wf_status s = make_spec(o, &spec, a, &d, e);
+    wf_doc_head_file(head, "data", o->gust.file);
     if (!s) s = o->stream ? write_stream(o, &spec, a, &d, e) : show_wind(o, &spec, head, a, &d, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
@@ -506,8 +507,8 @@ static enum wf_status take_rose(const struct wind_options *o, struct wf_arena *a
 }
 
 /* A wind climate: read or made, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
-static enum wf_status show_rose(const struct wind_options *o, const struct wf_doc_head *head,
-                                struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+static enum wf_status show_rose(const struct wind_options *o, struct wf_doc_head *head, struct wf_arena *a,
+                                struct wf_diag *d, struct wf_err *e)
 {
     const char *file = o->record ? o->record : o->gust.file, *folder = o->output;
     struct wf_rose_record *record;
@@ -520,6 +521,7 @@ static enum wf_status show_rose(const struct wind_options *o, const struct wf_do
     fflush(stdout);
     status = wf_results_begin(&f, folder, o->pages.none ? NULL : "rose", e);
     if (status) return status;
+    wf_doc_head_file(head, "data", file);
     status = wf_rose_results_write(&r, file, record, head, d, f.stage, e);
     if (!status) status = wf_results_end(&f, &o->pages, a, NULL, e);
     wf_run_abandon(&f);

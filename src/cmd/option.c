@@ -392,14 +392,14 @@ void wf_option_text(const struct wf_option *o, char text[static WF_OPTION_DOC])
     wf_show(to, "%s", o->help);
     if (o->kind == WF_OPTION_CHOICE) {
         size_t n = wf_option_choices(o, word, list, sizeof list);
-        for (size_t i = 0; i < n; i++) wf_show(to, "%s%s", i ? ", " : ": ", word[i]);
+        for (size_t i = 0; i < n; i++) fprintf(to, "%s%s", i ? ", " : ": ", word[i]);
     }
     bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
     if (o->kind == WF_OPTION_NUMBER || o->kind == WF_OPTION_WHOLE || wind)
-        wf_show(to, " (%.6g..%.6g%s%s)", o->low, o->high, *unit ? " " : "", unit);
+        fprintf(to, " (%.6g..%.6g%s%s)", o->low, o->high, *unit ? " " : "", unit);
     if (wind) wf_show(to, "; or a grade: beaufort:8, cma:typhoon, hko:typhoon");
     if (o->initial)
-        wf_show(to, " [%s%s%s]", o->initial, o->kind != WF_OPTION_CHOICE && *unit ? " " : "",
+        fprintf(to, " [%s%s%s]", o->initial, o->kind != WF_OPTION_CHOICE && *unit ? " " : "",
                 o->kind != WF_OPTION_CHOICE ? unit : "");
     fclose(to);
 }

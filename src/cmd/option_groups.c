@@ -359,6 +359,19 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
     return s ? s : wf_tree_asked_onto(t, tree != NULL, a, out, d, e);
 }
 
+/* ---- What is done to a tree ---- */
+
+bool wf_reduction_read(const char *text, struct wf_reduced *out)
+{
+    double v;
+    const char *unit = text ? wf_number_read(text, text + strlen(text), '.', &v) : NULL;
+    if (!unit) return !text;
+    unit += strspn(unit, " ");
+    if (!strcmp(unit, "%")) out->share = v / 100;
+    if (!strcmp(unit, "m")) out->length = v;
+    return (out->share > 0 && out->share <= 0.9) || (out->length > 0 && out->length <= 50);
+}
+
 /* ---- Roots that are lost ---- */
 
 /* A number with one of two units; without one it is of the second where that is NULL. */

@@ -33,6 +33,8 @@ const char *wf_import_word(size_t i);
  * "--no-plots"; `in`: a struct wf_pages (cmd/commands.h). */
 #define WF_QUIET_ROW QUIET("print errors only")
 #define WF_LANGUAGE_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of the report")
+/* The same of a command without a page. */
+#define WF_SPOKEN_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of what is printed")
 #define WF_UNITS_ROW(m)                                                                                      \
     WORD("--units", m, "SYSTEM", wf_page_units_word, "metric",                                               \
          "of the printed page and of what the terminal says; results.json and tables stay in SI, columns "   \
@@ -392,6 +394,9 @@ struct wf_tree_asked {
              "find the stress-free shape of a tree that stands under its own weight, and take that"),        \
         WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))
 
+/* "20 %", at most 90 %, or "3 m", at most 50 m; NULL: nothing. Returned: whether it is one of them; in *out
+ * which. */
+bool wf_reduction_read(const char *text, struct wf_reduced *out);
 /* "40 %" all around, "30deg:120deg" or "30deg:120deg:40 %", clockwise from north; NULL: nothing. Returned:
  * whether it is one of them; in *q the loss, its sector as on a compass: middle and half the width [rad]. */
 bool wf_root_loss_read(const char *text, struct wf_anchorage_request *q);

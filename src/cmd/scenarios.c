@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "cmd/args.h"
 #include "grow/card.h"
+#include "grow/silhouette.h"
 #include "study/removal.h"
 #include "wind/wind.h"
 #include <math.h>
@@ -178,6 +179,17 @@ enum wf_status wf_scenarios_split(const struct wf_analyze_options *o, struct wf_
     return s;
 }
 
+/* What is said of a stand. */
+static const char *const of_stand[] = { "--spacing", "--stand-height", "--edge-distance", "--gap" };
+
+/* Does the scenario take another peak load than that of stands? Then the tree stands alone in it. */
+static bool leaves_stand(const struct wf_scenario_words *x, const struct wf_args *line)
+{
+    for (size_t k = 0; k < x->n; k++)
+        if (!strcmp(line->option[x->option[k]].name, "--peak")) return strcmp(x->cell[k], "gales") != 0;
+    return false;
+}
+
 enum wf_status wf_scenario_options(const struct wf_args *line, const char *command,
                                    const struct wf_scenario_words *x, struct wf_units *units,
                                    struct wf_arena *a, struct wf_diag *d, struct wf_args *out,
@@ -187,9 +199,11 @@ enum wf_status wf_scenario_options(const struct wf_args *line, const char *comma
     struct wf_sink sink;
     if (!beside) return wf_fail(e, WF_ENOMEM, "not enough memory for a scenario");
     *beside = *line;
+    const bool alone = leaves_stand(x, line);
     for (size_t k = 0; beside->option[k].name; k++) {
         const struct wf_option *row = &beside->option[k];
-        bool other = !strcmp(row->name, "--scenarios") || !strcmp(row->name, "--remove");
+        bool other = !strcmp(row->name, "--scenarios") || !strcmp(row->name, "--remove") ||
+                     (alone && is_among(row->name, of_stand, WF_COUNT(of_stand)));
         if (other || (!x->given && wf_scenario_changes(row))) beside->given[k] = false;
     }
     if (!wf_args_read_cells(beside, command, x->option, x->cell, x->n, units, a, out, &sink))
@@ -226,7 +240,23 @@ static enum wf_status lose_roots(const struct wf_analyze_options *o, double grow
     return WF_OK;
 }
 
-enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, const struct wf_model *whole,
+/* A drawn crown, or one of leaves whose place a model says. */
+static enum wf_status change_crown(const struct wf_analyze_options *o, struct wf_analyze_request *q,
+                                   struct wf_model *m, struct wf_err *e)
+{
+    (void)wf_reduction_read(o->reduce, &q->scenario.reduced);
+    if (!(o->thin > 0)) return WF_OK;
+    bool crown = wf_silhouette_area(&m->silhouette) > 0;
+    if (!(m->leaf_area > 0) && !crown)
+        return wf_fail(e, WF_EINPUT, "%s: thin has no effect: the tree has no leaves (its branches stay)",
+                       m->name);
+    m->leaf_area *= 1 - o->thin;
+    if (crown) m->silhouette.thinned = o->thin;
+    q->scenario.reduced.thin = o->thin;
+    return WF_OK;
+}
+
+enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, bool card, const struct wf_model *whole,
                                 double grown, struct wf_arena *a, struct wf_analyze_request *q,
                                 struct wf_model *m, struct wf_err *e)
 {
@@ -239,6 +269,7 @@ enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, const struct
     if (o->leaf_off) wf_model_set_season(m, WF_LEAF_OFF);
     if (m->scanned == WF_SCANNED_AS_SEASON)
         m->scanned = whole->season == WF_LEAF_OFF ? WF_SCANNED_LEAF_OFF : WF_SCANNED_LEAF_ON;
+    if (!s && !card) s = change_crown(o, q, m, e);
     if (!s) s = wf_card_change(&walls, a, m, &cut, e);
     return s ? s : lose_roots(o, grown, a, q, e);
 }

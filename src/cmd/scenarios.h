@@ -36,11 +36,12 @@ enum wf_status wf_scenario_options(const struct wf_args *line, const char *comma
                                    struct wf_err *e);
 /* Does it change the tree that is drawn: an option of --model and those that go with it? */
 bool wf_scenario_draws(const struct wf_scenario_words *x, const struct wf_args *line);
-/* Onto a request and a model of its own, with its options, what wf_analyze_request_read does not know:
- * branches removed, leaves fallen, walls of cavities grown thinner, roots lost. Given: the model of the tree
- * as it stands, whose shape was measured or drawn in its season; the height that the roots grew to [m], NAN:
- * not known yet. Errors: WF_EUSAGE, WF_EINPUT, WF_ENOMEM. */
-enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, const struct wf_model *whole,
+/* Onto a request and a model of its own, with its options, what wf_analyze_request_read does not know: a
+ * drawn crown reduced or thinned, branches removed, leaves fallen, walls of cavities grown thinner, roots
+ * lost. Given: is it the model of a card, whose crown is changed elsewhere; the model of the tree as it
+ * stands, whose shape was measured or drawn in its season; the height that the roots grew to [m], NAN: not
+ * known yet. Errors: WF_EUSAGE, WF_EINPUT, WF_ENOMEM. */
+enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, bool card, const struct wf_model *whole,
                                 double grown, struct wf_arena *a, struct wf_analyze_request *q,
                                 struct wf_model *m, struct wf_err *e);
 #endif

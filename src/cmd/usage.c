@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/usage.h"
 #include "base/file.h"
+#include "base/said.h"
 #include "cmd/commands.h"
 #include <string.h>
 
@@ -13,35 +14,79 @@ static const struct wf_command *find_command(const char *name)
 
 /* ---- For a terminal ---- */
 
-/* One paragraph from column `left` (where the cursor stands) to column 80, broken between words. */
+/* Bytes of the character at `text`. */
+static size_t character(const char *text)
+{
+    size_t n = 1;
+    while (((unsigned char)text[n] & 0xC0) == 0x80) n++;
+    return n;
+}
+
+/* A character that is as wide as two letters, and behind which a line may end. */
+static bool is_wide(const char *text) { return (unsigned char)*text >= 0xE3; }
+
+/* Does a line not begin with this character? */
+static bool stays_behind(const char *text)
+{
+    static const char *const mark[] = { "，", "。", "；", "：", "、", "）", "”", "》", "…", ")", "]", ":" };
+    for (size_t i = 0; i < sizeof mark / sizeof *mark; i++)
+        if (!strncmp(text, mark[i], strlen(mark[i]))) return true;
+    return false;
+}
+
+/* What stands together at `text`: a word, or a wide character with the marks behind it. Returned: its bytes
+ * and in *columns its width. */
+static size_t piece_of_line(const char *text, int *columns)
+{
+    size_t n = 0;
+    bool wide = false, before = false;
+    for (*columns = 0; text[n] && text[n] != ' '; before = wide, n += character(text + n)) {
+        wide = is_wide(text + n);
+        if (n && (wide || before) && !stays_behind(text + n)) break;
+        *columns += wide ? 2 : 1;
+    }
+    return n;
+}
+
+/* One paragraph of the program's own from column `left` (where the cursor stands) to column 80, broken
+ * between words. */
 static void print_paragraph(FILE *to, const char *text, int left)
 {
-    int column = left;
-    while (*text) {
-        int word = (int)strcspn(text, " ");
-        if (column > left && column + 1 + word > 80) {
-            wf_show(to, "\n%*s", left, "");
+    int column = left, wide = 0;
+    for (bool blank = false; *text; blank = *text == ' ', text += strspn(text, " ")) {
+        size_t n = piece_of_line(text, &wide);
+        if (column > left && column + blank + wide > 80) {
+            fprintf(to, "\n%*s", left, "");
             column = left;
-        } else if (column > left) {
+        } else if (blank) {
             fputc(' ', to);
             column++;
         }
-        wf_show(to, "%.*s", word, text);
-        column += word;
-        text += word;
-        while (*text == ' ') text++;
+        fprintf(to, "%.*s", (int)n, text);
+        column += wide;
+        text += n;
     }
     fputc('\n', to);
+}
+
+/* The same in the language of the terminal. */
+static void print_said(FILE *to, const char *text, int left)
+{
+    struct wf_arena a = { 0 };
+    const struct wf_said said = { .message = "{1}", .n = 1, .arg = { text } };
+    const char *own = wf_show_words(&said, &a);
+    print_paragraph(to, own ? own : text, left);
+    wf_arena_free(&a);
 }
 
 static void print_option(FILE *to, const struct wf_option *o)
 {
     char text[WF_OPTION_DOC];
     wf_option_text(o, text);
-    int shown = wf_show(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
+    int shown = fprintf(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
                         o->value ? " " : "", o->value ? o->value : "");
-    if (shown > 27) shown = wf_show(to, "\n") - 1;
-    wf_show(to, "%*s", 28 - shown, "");
+    if (shown > 27) shown = fprintf(to, "\n") - 1;
+    fprintf(to, "%*s", 28 - shown, "");
     print_paragraph(to, text, 28);
 }
 
@@ -53,9 +98,9 @@ static void print_about(FILE *to, const char *about)
         size_t length = strcspn(about, "\n");
         snprintf(line, sizeof line, "%.*s", (int)length, about);
         if (line[0] == ' ' || !line[0])
-            wf_show(to, "%s\n", line);
+            fprintf(to, "%s\n", line);
         else
-            print_paragraph(to, line, 0);
+            print_said(to, line, 0);
         about += length + (about[length] == '\n');
     }
 }
@@ -64,8 +109,9 @@ static void print_about(FILE *to, const char *about)
 static void print_usage(FILE *to, const char *command, const struct wf_option *option, const char *about)
 {
     const struct wf_command *c = find_command(command);
-    wf_show(to, "Usage: windfirm %s %s\n\n", command, c->name ? c->operands : "");
-    if (c->name) print_paragraph(to, c->summary, 0);
+    wf_show(to, "Usage: windfirm");
+    fprintf(to, " %s %s\n\n", command, c->name ? c->operands : "");
+    if (c->name) print_said(to, c->summary, 0);
     if (about) {
         fputc('\n', to);
         print_about(to, about);
@@ -170,7 +216,7 @@ static void overview_for_terminal(FILE *to)
             "windfirm %s: what wind does to a tree\n\nUsage: windfirm COMMAND [argument...]\n\nCommands:\n",
             WF_VERSION);
     for (const struct wf_command *c = wf_commands; c->name; c++)
-        wf_show(to, "  %-10s %s\n", c->name, c->summary);
+        fprintf(to, "  %-13s ", c->name), print_said(to, c->summary, 16);
     wf_show(to, "\n'windfirm COMMAND --help' lists a command's arguments, options, units and defaults.\n"
                 "'windfirm --version' prints the version.\n");
 }
@@ -205,6 +251,15 @@ static void overview_words(FILE *to)
         for (size_t i = 0; i < n; i++) wf_show(to, "%s\t%s\n", name[i], room[r]);
     }
     wf_arena_free(&a);
+}
+
+void wf_usage_language(int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        const char *value = strncmp(argv[i], "--lang=", 7) ? NULL : argv[i] + 7;
+        if (!strcmp(argv[i], "--lang") && i + 1 < argc) value = argv[i + 1];
+        if (value && !strcmp(value, "zh")) wf_show_language(value);
+    }
 }
 
 bool wf_usage_overview(FILE *to, const char *word)

@@ -495,3 +495,39 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
     out->axis_drag = (struct wf_law_use){ .from = laws->axis_drag, .low = NAN, .high = NAN };
     return wf_yaml_read(path, table, out, a, d, e);
 }
+
+/* ---- Leaves in winter ---- */
+
+/* Genera of conifers. */
+static const struct {
+    const char *name;
+    bool sheds; /* its needles in autumn */
+} conifers[] = {
+    { "Abies ", false },         { "Araucaria ", false },   { "Cedrus ", false },
+    { "Chamaecyparis ", false }, { "Cryptomeria ", false }, { "Cupressus ", false },
+    { "Cunninghamia ", false },  { "Juniperus ", false },   { "Larix ", true },
+    { "Metasequoia ", true },    { "Picea ", false },       { "Pinus ", false },
+    { "Pseudotsuga ", false },   { "Sequoia ", false },     { "Sequoiadendron ", false },
+    { "Taxodium ", true },       { "Taxus ", false },       { "Thuja ", false },
+    { "Tsuga ", false },
+};
+
+/* Its place in the list; WF_COUNT(conifers): it is none. */
+static size_t conifer_of(const char *latin)
+{
+    size_t k = 0;
+    while (k < WF_COUNT(conifers) &&
+           (!latin || strncmp(latin, conifers[k].name, strlen(conifers[k].name)) != 0))
+        k++;
+    return k;
+}
+
+bool wf_species_is_conifer(const char *latin) { return conifer_of(latin) < WF_COUNT(conifers); }
+
+bool wf_species_is_evergreen(const struct wf_species *sp)
+{
+    size_t k = conifer_of(sp->latin);
+    if (k < WF_COUNT(conifers)) return !conifers[k].sheds;
+    bool gum = sp->latin && !strncmp(sp->latin, "Eucalyptus ", 11);
+    return gum || (sp->levels && sp->level[0].wall.n); /* bamboos */
+}

@@ -123,6 +123,11 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
 struct wf_yaml_table;
 const struct wf_yaml_table *wf_species_table(const struct wf_laws *laws, struct wf_arena *a);
 
+/* By the genus of a Latin name (NULL: not known): is it a conifer? */
+bool wf_species_is_conifer(const char *latin);
+/* Does it keep its leaves in winter: conifers but larches and their like, eucalypts, bamboos? */
+bool wf_species_is_evergreen(const struct wf_species *sp);
+
 #ifdef __cplusplus
 }
 #endif

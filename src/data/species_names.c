@@ -148,7 +148,8 @@ enum wf_status wf_species_path(const char *share, const char *name, const struct
     if (n)
         return wf_fail(e, WF_EINPUT, "%s: several species tables have that name%s?", name,
                        tables_text("; did you mean", found, n, a));
-    n = near_key(&l, name, a) ? 0 : wf_species_near(&l, name, a, found, NEAR_MAX);
+    n = tables_that(&l, wf_text_folded(name, a), overlaps, a, found, NEAR_MAX); /* larch is no birch */
+    if (!n && !near_key(&l, name, a)) n = wf_species_near(&l, name, a, found, NEAR_MAX);
     if (!n) return wf_fail(e, unknown.code, "%s", unknown.text); /* with the nearest key, or with all */
     return wf_fail(e, WF_EINPUT, "%s: there is no such file, and no shipped species table of that name%s?",
                    name, tables_text("; did you mean", found, n, a));

@@ -229,18 +229,6 @@ static bool place_stem(const struct wf_stem_form *f, const struct wf_card *c, st
     return true;
 }
 
-static bool is_conifer(const char *latin)
-{
-    static const char *const genus[] = { "Abies",        "Cedrus",         "Chamaecyparis", "Cryptomeria",
-                                         "Cunninghamia", "Cupressus",      "Juniperus",     "Larix",
-                                         "Metasequoia",  "Picea",          "Pinus",         "Pseudotsuga",
-                                         "Sequoia",      "Sequoiadendron", "Taxus",         "Thuja",
-                                         "Tsuga" };
-    for (size_t k = 0; k < WF_COUNT(genus); k++)
-        if (is_genus(latin, genus[k])) return true;
-    return false;
-}
-
 /* The rule for the mass of the crown: that of the species, else that of an oak or a spruce. */
 static const char *mass_rule(const struct wf_card *c, const struct wf_species *sp)
 {
@@ -252,7 +240,7 @@ static const char *mass_rule(const struct wf_card *c, const struct wf_species *s
     double mass;
     struct wf_err unsaid = { WF_OK, "" };
     if (!wf_crown_rule_mass(rule, sp->key, &any, &mass, &r, &kind, &unsaid)) return rule;
-    if (is_conifer(sp->latin)) return cone ? "forestgales:norway_spruce" : "wcc:spruce";
+    if (wf_species_is_conifer(sp->latin)) return cone ? "forestgales:norway_spruce" : "wcc:spruce";
     return cone ? "forestgales:oak" : "wcc:oak";
 }
 

@@ -89,7 +89,11 @@ struct wf_scenario {
     size_t guys;
     const struct wf_brace *brace; /* cables and rods between two points of the tree (study/brace.h) */
     size_t braces;
-    const struct wf_removed *removed;             /* branches that are taken off; NULL: none */
+    const struct wf_removed *removed; /* branches that are taken off; NULL: none */
+    struct wf_reduced {
+        double share, length; /* off a drawn crown all round (study/reduction.h) [-], [m]; 0: nothing */
+        double thin; /* share of the leaves that was taken out of the model, for the share that is gone */
+    } reduced;
     const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
     double corridor;             /* distance of a corridor from the base of the stem [m]; 0: none */
     double corridor_towards;     /* where it lies, from +x towards +y [rad]; NAN: where the wind blows */

@@ -140,36 +140,42 @@ static void cells(FILE *f, const double *x, size_t n)
     for (size_t k = 0; k < n; k++) wf_folder_cell(f, x[k], 10);
 }
 
-size_t wf_besides_rows(FILE *f, size_t tree, const struct wf_besides *all)
+static void lead(FILE *f, size_t tree, const char *species, double wind, const char *scenario)
+{
+    fprintf(f, "%zu", tree);
+    text_cell(f, species ? species : "");
+    wf_folder_cell(f, wind, 10);
+    text_cell(f, scenario ? scenario : "");
+}
+
+size_t wf_besides_rows(FILE *f, size_t tree, const char *species, const struct wf_besides *all)
 {
     for (size_t k = 0; k < all->n; k++) {
         const struct wf_beside *x = &all->item[k];
-        const double value[] = { x->speed,       x->cut,      x->drag,       x->weight,
-                                 x->base_moment, x->safety,   x->branches,   x->critical,
-                                 x->searched,    x->breakage, x->overturning };
-        fprintf(f, "%zu", tree);
-        text_cell(f, x->name ? x->name : "");
+        const double value[] = { x->cut,      x->drag,     x->weight,   x->base_moment, x->safety,
+                                 x->branches, x->critical, x->searched, x->breakage,    x->overturning };
+        lead(f, tree, species, x->speed, x->name);
         cells(f, value, WF_COUNT(value));
         fprintf(f, ",%s\n", x->assessed ? wf_assess_rows[x->word].name : "");
     }
     return all->n;
 }
 
-static void hold_row(FILE *f, size_t tree, const char *name, const struct wf_beside_hold *h)
+static void hold_row(FILE *f, size_t tree, const char *species, const char *name,
+                     const struct wf_beside_hold *h)
 {
-    const double value[] = { h->force,    h->speed,    h->wind_from * (180 / WF_PI),
-                             h->critical, h->breaking, h->safety };
-    fprintf(f, "%zu", tree);
-    text_cell(f, name), text_cell(f, h->kind), text_cell(f, h->from), text_cell(f, h->to);
+    const double value[] = { h->force, h->wind_from * (180 / WF_PI), h->critical, h->breaking, h->safety };
+    lead(f, tree, species, h->speed, name);
+    text_cell(f, h->kind), text_cell(f, h->from), text_cell(f, h->to);
     cells(f, value, WF_COUNT(value));
     putc('\n', f);
 }
 
-size_t wf_holds_rows(FILE *f, size_t tree, const struct wf_besides *all)
+size_t wf_holds_rows(FILE *f, size_t tree, const char *species, const struct wf_besides *all)
 {
     size_t rows = 0;
     for (size_t k = 0; k < all->n; k++)
         for (size_t i = 0; i < all->item[k].holds; i++, rows++)
-            if (f) hold_row(f, tree, all->item[k].name ? all->item[k].name : "", &all->item[k].hold[i]);
+            if (f) hold_row(f, tree, species, all->item[k].name, &all->item[k].hold[i]);
     return rows;
 }

@@ -83,6 +83,29 @@ void wf_doc_numbers(struct wf_doc *d, json_t *object, const char *key, const dou
     for (size_t i = 0; i < n; i++) wf_doc_add(d, list, number(x[i]));
 }
 
+void wf_doc_head_file(struct wf_doc_head *h, const char *role, const char *path)
+{
+    for (size_t i = 0; path && i < h->files; i++)
+        if (!strcmp(h->file[i].path, path)) return;
+    if (path && h->files < WF_DOC_FILES) h->file[h->files++] = (struct wf_doc_file){ role, path };
+}
+
+/* A file that can no longer be read has no digest. */
+static void files_part(struct wf_doc *d, json_t *provenance, const struct wf_doc_head *h)
+{
+    struct wf_arena a = { 0 };
+    json_t *list = wf_doc_put(d, provenance, "files", wf_doc_array(d));
+    for (size_t i = 0; i < h->files; i++) {
+        char digest[WF_SHA256_TEXT];
+        struct wf_err unread = { 0 };
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "role", h->file[i].role);
+        wf_doc_text(d, o, "path", h->file[i].path);
+        if (!wf_sha256_file(h->file[i].path, &a, digest, &unread)) wf_doc_text(d, o, "sha256", digest);
+    }
+    wf_arena_free(&a);
+}
+
 json_t *wf_doc_begin(struct wf_doc *d, const char *schema, const struct wf_doc_head *h)
 {
     json_t *o = wf_doc_object(d), *s = wf_doc_put(d, o, "schema", wf_doc_object(d));
@@ -95,6 +118,7 @@ json_t *wf_doc_begin(struct wf_doc *d, const char *schema, const struct wf_doc_h
     wf_doc_text(d, p, "version", h->version);
     wf_doc_text(d, p, "date", h->date);
     wf_doc_text(d, p, "command", h->command);
+    if (h->files) files_part(d, p, h);
     return o;
 }
 

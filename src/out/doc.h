@@ -34,11 +34,19 @@ void wf_doc_number(struct wf_doc *d, json_t *object, const char *key, double x);
 void wf_doc_numbers(struct wf_doc *d, json_t *object, const char *key, const double *x, size_t n);
 
 /* Where a document comes from. */
+enum { WF_DOC_FILES = 32 };
 struct wf_doc_head {
     const char *title, *note;             /* given by the user; NULL: the page composes one    */
     const char *command, *version, *date; /* as typed; of the program; ISO 8601, UTC          */
+    size_t files;                         /* that were read                                    */
+    struct wf_doc_file {
+        const char *role, *path;
+    } file[WF_DOC_FILES];
 };
-/* A document {schema {name, version 1}, title, note, provenance {program, version, date, command}}. */
+/* A file that was read, which provenance names with its digest. NULL, one that is there and what is beyond
+ * WF_DOC_FILES are passed over. */
+void wf_doc_head_file(struct wf_doc_head *h, const char *role, const char *path);
+/* A document {schema {name, version 1}, title, note, provenance {program, version, date, command, files}}. */
 json_t *wf_doc_begin(struct wf_doc *d, const char *schema, const struct wf_doc_head *h);
 /* Append a figure to a list that tells the page maker what to draw: {name, script, run}, see out/figures.h.
  */

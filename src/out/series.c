@@ -425,9 +425,16 @@ static void figures(struct wf_doc *d, json_t *list, const struct wf_series_page 
 
 static enum wf_status document(const struct wf_series_page *p, const char *folder, struct wf_err *e)
 {
-    const struct wf_doc_head head = { p->title, p->note, p->command, p->version, p->date };
+    struct wf_doc_head head = {
+        .title = p->title, .note = p->note, .command = p->command, .version = p->version, .date = p->date
+    };
     struct wf_doc d = { 0 };
     size_t swept;
+    for (size_t i = 0; i < p->n; i++) {
+        wf_doc_head_file(&head, "model", p->run[i].series->spec.model->file);
+        wf_doc_head_file(&head, "species", p->run[i].series->spec.species->file);
+        wf_doc_head_file(&head, "data", p->run[i].series->spec.gust_file);
+    }
     json_t *o = wf_doc_begin(&d, "windfirm-series", &head);
     json_t *runs = wf_doc_put(&d, o, "runs", wf_doc_array(&d));
     for (size_t r = 0; r < p->n; r++) wf_doc_add(&d, runs, run_part(&d, p->run[r].series));

@@ -308,7 +308,8 @@ static size_t write_besides(const struct wf_run *run, FILE *f)
     size_t rows = 0;
     fputs(WF_BESIDES_HEAD, f);
     for (size_t i = 0; i < run->n; i++)
-        if (run->analysis[i].beside) rows += wf_besides_rows(f, i + 1, run->analysis[i].beside);
+        if (run->analysis[i].beside)
+            rows += wf_besides_rows(f, i + 1, run->analysis[i].species->key, run->analysis[i].beside);
     return rows;
 }
 
@@ -324,7 +325,8 @@ static size_t hold_rows(const struct wf_run *run, FILE *f)
 {
     size_t rows = 0;
     for (size_t i = 0; i < run->n; i++)
-        if (run->analysis[i].beside) rows += wf_holds_rows(f, i + 1, run->analysis[i].beside);
+        if (run->analysis[i].beside)
+            rows += wf_holds_rows(f, i + 1, run->analysis[i].species->key, run->analysis[i].beside);
     return rows;
 }
 

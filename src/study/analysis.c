@@ -13,6 +13,7 @@
 #include "study/guy.h"
 #include "study/held.h"
 #include "study/node.h"
+#include "study/reduction.h"
 #include "study/removal.h"
 #include "study/rest.h"
 #include "study/sway.h"
@@ -127,7 +128,9 @@ enum wf_status wf_analysis_draw(struct wf_analysis *an, struct wf_arena *a, stru
                                 struct wf_err *e)
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
-    if (s || (s = wf_tree_check(&an->tree, d, e)) || (s = wf_removal_onto(an, a, e))) return s;
+    if (s || (s = wf_tree_check(&an->tree, d, e)) || (s = wf_removal_onto(an, a, e)) ||
+        (s = wf_reduction_onto(an, a, e)))
+        return s;
     if (an->misread) wf_tree_scale(&an->tree, an->misread->height, an->misread->radius);
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);

@@ -53,6 +53,8 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
                           struct wf_arena *a, struct wf_diag *d, struct wf_analysis *out, struct wf_err *e);
 
+/* A warning that also a scenario's reader must see. */
+#define WF_EVERGREEN "evergreen"
 /* The last step of an analysis, in limits.c: check it against the validity of its laws and methods.
  * Given: an analysis complete except for its warnings. Returned: the warnings added to `d`. */
 void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);

@@ -7,6 +7,7 @@
 #include "study/guy.h"
 #include "study/verdict.h"
 #include <math.h>
+#include <string.h>
 
 /* ---- What holds it ---- */
 
@@ -107,6 +108,12 @@ enum wf_status wf_beside_take(const struct wf_analysis *an, struct wf_arena *a, 
     out->critical = c && c->outcome == WF_CRITICAL_FOUND ? c->speed : (double)NAN;
     out->searched = c && c->outcome == WF_CRITICAL_ABOVE ? c->speed_high : (double)NAN;
     return wf_beside_holds(an, a, &out->holds, &out->hold, e);
+}
+
+void wf_beside_pass(const struct wf_diag *from, struct wf_diag *to)
+{
+    for (const struct wf_finding *f = from->first; f; f = f->next)
+        if (f->code && !strcmp(f->code, WF_EVERGREEN)) wf_diag_pass(to, f);
 }
 
 enum wf_status wf_beside_check(const struct wf_species *sp, const struct wf_model *m,

@@ -52,6 +52,9 @@ enum wf_status wf_beside_take(const struct wf_analysis *an, struct wf_arena *a, 
 enum wf_status wf_beside_holds(const struct wf_analysis *an, struct wf_arena *a, size_t *n,
                                const struct wf_beside_hold **out, struct wf_err *e);
 
+/* Of the warnings of a scenario, those that decide whether it can be: onto the tree as it stands. */
+void wf_beside_pass(const struct wf_diag *from, struct wf_diag *to);
+
 /* Can the tree of a scenario be drawn with what is done to it? Errors: as of wf_analysis_draw. */
 enum wf_status wf_beside_check(const struct wf_species *sp, const struct wf_model *m,
                                const struct wf_scenario *sc, struct wf_err *e);

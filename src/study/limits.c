@@ -365,8 +365,21 @@ static void check_corridor(const struct wf_analysis *an, struct wf_diag *d)
                      an->species->name);
 }
 
+/* A tree without the leaves that its kind keeps catches far less wind. */
+static void check_evergreen(const struct wf_analysis *an, struct wf_diag *d)
+{
+    if (an->model->season != WF_LEAF_OFF || !wf_species_is_evergreen(an->species)) return;
+    wf_diag_warn(
+        d, WF_EVERGREEN,
+        "%s keeps its leaves in winter: without them (season leaf_off) it is a tree that has lost them, "
+        "as a dead one, and a living one catches far more wind than is computed. Dead wood loses its "
+        "strength, which is not computed",
+        an->species->name);
+}
+
 void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
 {
+    check_evergreen(an, d);
     check_equilibrium(an, d);
     check_small_deflection(an, d);
     check_small_critical(an, d);

@@ -21,36 +21,11 @@ static const struct wf_sway_line lines[] = {
     { "all conifers", NULL, 0.0681, 319.3 },
 };
 
-/* Genera of conifers. */
-static const struct {
-    const char *name;
-    bool sheds; /* its needles in autumn */
-} conifers[] = {
-    { "Abies ", false },         { "Araucaria ", false },   { "Cedrus ", false },
-    { "Chamaecyparis ", false }, { "Cryptomeria ", false }, { "Cupressus ", false },
-    { "Cunninghamia ", false },  { "Juniperus ", false },   { "Larix ", true },
-    { "Metasequoia ", true },    { "Picea ", false },       { "Pinus ", false },
-    { "Pseudotsuga ", false },   { "Sequoia ", false },     { "Taxodium ", true },
-    { "Taxus ", false },         { "Thuja ", false },       { "Tsuga ", false },
-};
-
 static bool begins(const char *text, const char *with) { return text && !strncmp(text, with, strlen(with)); }
-
-static bool is_conifer(const struct wf_species *sp, bool *sheds)
-{
-    *sheds = true;
-    for (size_t i = 0; i < WF_COUNT(conifers); i++)
-        if (begins(sp->latin, conifers[i].name)) {
-            *sheds = conifers[i].sheds;
-            return true;
-        }
-    return false;
-}
 
 static void compare(const struct wf_species *sp, const struct wf_mode_block *b, struct wf_mode_list *out)
 {
-    bool sheds;
-    out->conifer = is_conifer(sp, &sheds);
+    out->conifer = wf_species_is_conifer(sp->latin);
     out->line = lines;
     while (out->line->latin && !begins(sp->latin, out->line->latin)) out->line++;
     out->diameter = wf_tree_breast(&b->tree).diameter;
@@ -125,9 +100,7 @@ enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m
     enum wf_season season[3];
     double water[3] = { 0 };
     size_t n = 0;
-    bool sheds;
-    (void)is_conifer(as->species, &sheds);
-    bool both = r->seasons && m->leaf_area_on > 0.0 && sheds;
+    bool both = r->seasons && m->leaf_area_on > 0.0 && !wf_species_is_evergreen(as->species);
     season[n++] = both ? WF_LEAF_ON : given;
     if (as->scenario.water > 0) water[n] = as->scenario.water, season[n] = season[0], n++;
     if (both) season[n++] = WF_LEAF_OFF;

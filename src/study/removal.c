@@ -102,7 +102,7 @@ static double crown_of(const struct wf_tree *t, enum crown by)
     return sum;
 }
 
-static double share_gone(const struct wf_tree *whole, const struct wf_tree *left)
+double wf_crown_gone(const struct wf_tree *whole, const struct wf_tree *left)
 {
     for (int by = 0; by < CROWNS; by++) {
         double all = crown_of(whole, (enum crown)by);
@@ -130,7 +130,7 @@ enum wf_status wf_removal_onto(struct wf_analysis *an, struct wf_arena *a, struc
         if (t->mass1) out.mass1[at] = t->mass1[i];
     }
     if (s) return s;
-    an->cut = share_gone(t, &out);
+    an->cut = wf_crown_gone(t, &out);
     *t = out;
     return WF_OK;
 }

@@ -30,6 +30,10 @@ enum wf_status wf_removals_read(const char *text, struct wf_arena *a, const stru
  * Errors: WF_EINPUT where there is no such part, or it is of the stem; WF_ENOMEM. */
 enum wf_status wf_removal_onto(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e);
 
+/* Share of a crown that is gone [-]: of the leaves, where it has none of the sail, else of what branches show
+ * from the side. */
+double wf_crown_gone(const struct wf_tree *whole, const struct wf_tree *left);
+
 #ifdef __cplusplus
 }
 #endif

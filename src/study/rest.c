@@ -10,6 +10,7 @@
 #include "solve/unload.h"
 #include "study/brace.h"
 #include "study/guy.h"
+#include "study/reduction.h"
 #include "study/removal.h"
 #include <math.h>
 #include <stdarg.h>
@@ -79,6 +80,7 @@ static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct w
     enum wf_status s = wf_grow(&then, an->species, &scratch, &worn, &unsaid, e);
     same.tree = worn, same.misread = NULL;
     if (!s) s = wf_removal_onto(&same, &scratch, e);
+    if (!s) s = wf_reduction_onto(&same, &scratch, e);
     if (!s) s = wf_guys_onto(&same, &scratch, e);
     if (!s) s = wf_braces_onto(&same, &scratch, e);
     if (!s) s = wf_tree_stand(&an->tree, &same.tree, a, e);
