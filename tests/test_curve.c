@@ -4,15 +4,21 @@
 #include "study/node.h"
 #include <string.h>
 
-static void analyse(struct made *m, const char *species, const char *model, const struct wf_search *search,
-                    double wind, size_t threads)
+static void analyse_by(struct made *m, const char *peak, const char *species, const char *model,
+                       const struct wf_search *search, double wind, size_t threads)
 {
     made_read(m, species, model);
     if (search) m->search = *search;
-    m->scenario.peak.method = "mean";
+    m->scenario.peak.method = peak;
     m->options.mesh_tolerance = 1e-4;
     m->options.threads = threads;
     made_analyse(m, &wind, 1);
+}
+
+static void analyse(struct made *m, const char *species, const char *model, const struct wf_search *search,
+                    double wind, size_t threads)
+{
+    analyse_by(m, "mean", species, model, search, wind, threads);
 }
 
 /* 0.5 % of the direct solution, for every total of sweep.csv. Returned: interpolated rows below and above the
@@ -61,6 +67,33 @@ static void rows_agree_with_solutions(void **state)
     }
     print_message("%zu and %zu rows\n", sides[0], sides[1]);
     assert_true(sides[0] >= 40 && sides[1] >= 5);
+}
+
+/* Branches have a peak of their own: their curve is drawn from other speeds than that of the stem. */
+static void parts_agree_with_solutions(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *species, *model;
+        double wind;
+    } trees[] = { { "species/weeping_willow.yaml", "tests/data/limbs.yaml", 12 },
+                  { "species/weeping_willow.yaml", "tests/data/limbs.yaml", 30 },
+                  { "species/oak.yaml", "tests/data/limbs.yaml", 20 } };
+    size_t sides[2] = { 0 }, apart = 0;
+    for (size_t k = 0; k < sizeof trees / sizeof *trees; k++) {
+        struct made m;
+        struct wf_nodes *nodes;
+        analyse_by(&m, "en1991", trees[k].species, trees[k].model, NULL, trees[k].wind, 1);
+        compare(&m, sides);
+        assert_non_null(nodes = wf_nodes_open(&m.an, NULL));
+        assert_int_equal(wf_analysis_breaks(&m.an, &m.options, nodes, m.an.breaks, &m.err), WF_OK);
+        assert_int_equal(wf_analysis_sweep(&m.an, &m.options, nodes, &m.arena, &m.diag, &m.err), WF_OK);
+        for (size_t i = 0; i < wf_nodes_count(nodes); i++) apart += !wf_nodes_at(nodes, i)->whole;
+        wf_nodes_close(nodes);
+        wf_arena_free(&m.arena);
+    }
+    print_message("%zu and %zu rows\n", sides[0], sides[1]);
+    assert_true(sides[0] >= 40 && sides[1] >= 5 && apart >= 6);
 }
 
 /* The largest stress is that of all rows, also of those that are not credible and have no utilisation. */
@@ -128,6 +161,7 @@ static void range_of_the_search(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(rows_agree_with_solutions),
+                                        cmocka_unit_test(parts_agree_with_solutions),
                                         cmocka_unit_test(doubtful_rows_have_stress),
                                         cmocka_unit_test(threads_do_not_matter),
                                         cmocka_unit_test(range_of_the_search) };

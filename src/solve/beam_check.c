@@ -271,8 +271,10 @@ static bool meets_beside(const struct wf_beam *b, const struct wf_beam *fine, st
     const size_t tip = wf_tip_row(b->mesh.tree);
     double turns = tip_lack(b, fine, tip);
     choose_again(b, fine, c, allowed, error, reactions, pieces);
-    if (turns > 1) /* to the first order of the piece length at least */
-        pieces[tip] = (int32_t)fmax(pieces[tip], fmin(ceil(2 * turns), 64) * wf_beam_pieces(&b->mesh, tip));
+    const int32_t now = wf_beam_pieces(&b->mesh, tip), most = now > 64 ? now : 64;
+    if (turns >
+        1) /* to the first order of the piece length at least; of a tip that hangs free any mesh is off */
+        pieces[tip] = (int32_t)fmax(pieces[tip], fmin(ceil(2 * turns) * now, most));
     return error <= 1 && reactions <= 1 && turns <= 1;
 }
 

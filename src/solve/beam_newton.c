@@ -532,8 +532,8 @@ static bool stalls(const struct wf_beam *b, double was)
 }
 
 /* The step that is likely the last is swept without the tangent, at a quarter of the cost. Whether the
- * equilibrium is stable was then counted a step before. Returned: does it converge? If not, it was a step as
- * any other, or nothing has changed. */
+ * equilibrium is stable was then counted a step before. Only with a tolerance that leaves nothing for a
+ * further step with the tangent. Returned: does it converge? If not, nothing has changed. */
 static bool land(struct wf_beam *b, bool watch)
 {
     const double tight = 1e-8, likely = 0.1;
@@ -550,7 +550,8 @@ static bool land(struct wf_beam *b, bool watch)
         return true;
     }
     apply_correction(b, -1);
-    return (void)(b->misfit = before), false;
+    b->misfit = before;
+    return false;
 }
 
 static enum wf_status newton(struct wf_beam *b, bool watch)

@@ -350,7 +350,7 @@ static enum wf_status solve_middle(struct work *w, struct wf_solve_options *o, c
     enum wf_status status;
     const double given = o->mesh_tolerance;
     *o = wf_nodes_quick(o);
-    o->tolerance = fmax(o->tolerance, 1e-3); /* its square is left */
+    o->tolerance = fmax(o->tolerance, 1e-4); /* its square is left */
     o->mesh_tolerance = 0.0;
     status = solve_sample(w, half, s, out, e);
     if (status || same_as_given(w, out) || given == 0.0) return status;

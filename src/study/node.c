@@ -168,8 +168,11 @@ static enum wf_status open_sequence(const struct wf_nodes *k, const struct wf_so
         if (k->like->sequence[i].track[0] && k->like->sequence[i].tolerance == o->mesh_tolerance)
             like = &k->like->sequence[i];
     enum wf_status s = WF_OK;
-    for (int part = 0; part < (wf_peak_branches(k->an->peak) ? WF_NODE_PARTS : 1) && !s; part++)
-        s = wf_track_open(&k->an->tree, &out->options, like ? like->track[part] : NULL, &out->track[part], e);
+    for (int part = 0; part < (wf_peak_branches(k->an->peak) ? WF_NODE_PARTS : 1) && !s; part++) {
+        /* in still air both parts have one state, and one mesh is good for both */
+        const struct wf_track *first = like ? like->track[part] : part ? out->track[WF_NODE_STEM] : NULL;
+        s = wf_track_open(&k->an->tree, &out->options, first, &out->track[part], e);
+    }
     if (!s && k->kin) wf_track_begin_at_last(out->track[0]);
     return s;
 }
@@ -203,8 +206,7 @@ static void read_column(const struct wf_tree *t, const struct wf_at_speed *at, i
                                                                       &at->breakage, i, &place);
 }
 
-/* Is a row one of those that a state is of? */
-static bool holds(const struct wf_analysis *an, enum wf_node_part part, size_t row)
+bool wf_node_part_holds(const struct wf_analysis *an, enum wf_node_part part, size_t row)
 {
     return !wf_peak_branches(an->peak) || (an->tree.level[row] > 0) == (part == WF_NODE_BRANCHES);
 }
@@ -235,7 +237,7 @@ static enum wf_status read_rows(const struct wf_analysis *an, enum wf_node_part 
     read_column(t, &r->at, column, at);
     if (r->step > 0.0) read_column(t, &r->side, column, side);
     for (size_t i = 0; i < t->n; i++) {
-        if (!holds(an, part, i)) continue;
+        if (!wf_node_part_holds(an, part, i)) continue;
         to->value[i] = single(at[i]);
         to->gain[i] = r->step > 0.0 ? single((side[i] - at[i]) / r->step) : 0.0F;
     }
@@ -263,7 +265,7 @@ static void own_stress(const struct wf_analysis *an, enum wf_node_part part, str
     b->largest_stress = 0.0;
     b->largest_stress_row = -1;
     for (size_t i = 0; i < an->tree.n; i++)
-        if (holds(an, part, i) && (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress))
+        if (wf_node_part_holds(an, part, i) && (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress))
             b->largest_stress = b->peak[i], b->largest_stress_row = (int32_t)i;
 }
 

@@ -41,6 +41,8 @@ struct wf_node_column {
  * and at that of branches. They are one where branches have no peak of their own. */
 enum wf_node_part { WF_NODE_STEM, WF_NODE_BRANCHES, WF_NODE_PARTS };
 
+/* Is a row one of those that the state of a part is of? */
+bool wf_node_part_holds(const struct wf_analysis *an, enum wf_node_part part, size_t row);
 struct wf_node_state {
     bool known;
     bool sloped;           /* also the slopes of its totals and of its rows' columns */

@@ -312,11 +312,15 @@ static enum wf_status search_by_steps(struct search *q, const struct wf_solve_op
     q->o = quick;
     enum wf_status s = crossing_by_steps(q, e);
     if (s || !reached(c)) return s;
-    q->o = fine;
-    bool found = c->outcome == WF_CRITICAL_FOUND;
-    if (!found) q->o = quick; /* of a tree that fails at rest the place alone is wanted */
-    s = found ? polish(q, c, &at, e) : search_totals(q, 0.0, &at, e);
     const struct wf_worst *worst = &at.worst[q->criterion][q->scope];
+    bool found = c->outcome == WF_CRITICAL_FOUND;
+    /* of a tree that fails at rest the place alone is wanted, and that of the search is good enough */
+    if (!found) s = search_totals(q, 0.0, &at, e);
+    q->o = fine;
+    if (found)
+        s = polish(q, c, &at, e);
+    else if (!s && (at.status || worst->row < 0))
+        s = search_totals(q, 0.0, &at, e);
     if (s || at.status || worst->row < 0) return s;
     if (found) q->out->at = at;
     place_at(&q->an->tree, worst, q->out);
@@ -438,8 +442,8 @@ static bool settled(const struct search *q, const struct wf_solve_options *quick
     return left <= fine->mesh_tolerance * now;
 }
 
-/* Options of the solutions with slopes that a crossing is taken from: what Newton's method leaves is squared by
- * the step that gives the slopes, and need not be less than the mesh's error before. */
+/* Options of the solutions with slopes that a crossing is taken from: what Newton's method leaves is squared
+ * by the step that gives the slopes, and need not be less than the mesh's error before. */
 static struct wf_solve_options polished(const struct wf_solve_options *fine)
 {
     struct wf_solve_options out = *fine;

@@ -527,9 +527,9 @@ enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const d
     return s;
 }
 
-/* Share by which the wind is faster where slopes are taken: small against what bends the response, large
- * against what Newton's method has left of the weight's equilibrium, which in a light wind is not small
- * beside the wind's answer. */
+/* Share by which the wind on the tree is faster where slopes are taken: small against what bends the
+ * response, large against what Newton's method has left of the weight's equilibrium, which in a light wind is
+ * not small beside the wind's answer. */
 static double share_of(double speed)
 {
     const double most = 1e-4, light = 0.5; /* [m/s] */
@@ -540,14 +540,14 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
                               double speed, const struct wf_track_start *near, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e)
 {
-    const double share = share_of(speed);
     struct wf_wind wind, more;
     struct wf_loads loads, side;
     struct wf_tracked t;
     struct wf_err why = { 0 };
-    const struct wf_track_start start = { share, near ? near->other : NULL, near && near->alone };
     *out = (struct wf_speed_answers){ .at = { .speed = speed, .steady = unknown } };
     blow(an, speed, part, &wind, &loads);
+    const double share = share_of(loads.wind ? wind.speed : 0.0);
+    const struct wf_track_start start = { share, near ? near->other : NULL, near && near->alone };
     blow(an, speed * (1.0 + share), part, &more, &side);
     enum wf_status s = wf_track_solve(k, &loads, speed > 0.0 ? &side : NULL, &start, a, &t, &why);
     out->at.response = t.at;
