@@ -150,7 +150,7 @@
           </xsl:otherwise>
         </xsl:choose>
       </xsl:with-param>
-      <xsl:with-param name="c" select="unit"/>
+      <xsl:with-param name="c"><xsl:if test="unit != ''"><xsl:value-of select="concat('&#160;', unit)"/></xsl:if></xsl:with-param>
     </xsl:call-template>
   </p>
 </xsl:template>

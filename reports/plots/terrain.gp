@@ -30,6 +30,8 @@ set format xy "%g"
 set palette maxcolors 16
 unset colorbox
 SIDE = 1 + int((sqrt(POINTS) - 1)/80)
+# few points are drawn as squares: as a picture they would be blurred, and shifted by half a square
+SQUARES = POINTS <= 300
 km(v) = PER_KM*v/1000.0
 # a point is a square about it: the maps end half a square beyond the outermost points
 SPAN_X = XHIGH - XLOW; SPAN_Y = YHIGH - YLOW
@@ -47,7 +49,7 @@ do for [i=1:3] {
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 215)/WIDTH
     set tmargin at screen 1 - y1/HEIGHT; set bmargin at screen 1 - (y1 + TALL*215/250)/HEIGHT
     set title TITLE[i] offset 0,-0.6
-    if (col == 0) { set ylabel L('NORTH_KM') offset 1,0 } else { set ylabel "" }
+    if (col == 0) { set ylabel L('NORTH_KM') offset 1.9,0 } else { set ylabel "" }
     set cbrange [*:*]
     if (i == 1) { set palette defined (0 '#1f4e3d', 1 '#6f9f6e', 2 '#d3cb9a', 3 '#f7f3e8') }
     if (i == 2) { set palette defined (0 '#f7fbff', 1 '#6baed6', 2 '#08306b'); set cbrange [TMEAN-TWIDE:TMEAN+TWIDE] }
@@ -58,7 +60,8 @@ do for [i=1:3] {
     if (i == 3 && FLOW == FHIGH) { set cbrange [FLOW-0.1:FHIGH+0.1] }
     set xrange [km(XLOW - EDGE):km(XHIGH + EDGE)]; set yrange [km(YLOW - EDGE):km(YHIGH + EDGE)]
     set xtics border nomirror out scale 0.6 TICK; set ytics border nomirror out scale 0.6 TICK; set xlabel L('EAST_KM') offset 0,0.3
-    plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(PER_MAP[i]*column(NAMES[i])) every SIDE:SIDE with image, \
+    plot for [k=1:SQUARES] TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(PER_MAP[i]*column(NAMES[i])) with image pixels, \
+         for [k=1:1 - SQUARES] TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(PER_MAP[i]*column(NAMES[i])) every SIDE:SIDE with image, \
          TERRAIN using (i == 3 && strcol(NAMES[i]) eq 'nan' ? km(column("x_m")) : NaN):(km(column("y_m"))) with points pt 5 ps 2.2*EDGE*215/(8.0*(SPAN_X + 2*EDGE)) lc rgb '#ffffff'
     CLOW = GPVAL_CB_MIN; CHIGH = GPVAL_CB_MAX
     set cbrange [CLOW:CHIGH]; set xrange [0:1]; set yrange [CLOW:CHIGH]

@@ -34,12 +34,13 @@ plot for [c=COMPONENTS:1:-1] SERIES every EVERY using 1:(PER_MS*column(c + 1)) w
 set lmargin at screen 84.0/WIDTH; set rmargin at screen 384.0/WIDTH
 set tmargin at screen 1 - 248.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
 set title (TARGET ? L('SPECTRUM_TARGET') : L('SPECTRUM')) offset 0,-0.6
-set logscale xy; set xrange [*:*]; set yrange [3e-5*TOP:*]
+PER_F_S = per('m²/s²')
+set logscale xy; set xrange [*:*]; set yrange [3e-5*PER_F_S*TOP:*]
 set format xy "%g"
 set xlabel L('FREQUENCY'); set ylabel L('F_S') offset 0,0
 is(c) = strcol("component") eq COMPONENT[c]
-plot for [c=1:COMPONENTS] SPECTRUM using (pick(is(c), column("frequency_hz"))):(column("frequency_hz")*column("density_m2_s")) with points lt c lw 1, \
-     for [c=1:(TARGET ? COMPONENTS : 0)] SPECTRUM using (pick(is(c), column("frequency_hz"))):(column("frequency_hz")*column("target_m2_s")) with lines lt c
+plot for [c=1:COMPONENTS] SPECTRUM using (pick(is(c), column("frequency_hz"))):(PER_F_S*column("frequency_hz")*column("density_m2_s")) with points lt c lw 1, \
+     for [c=1:(TARGET ? COMPONENTS : 0)] SPECTRUM using (pick(is(c), column("frequency_hz"))):(PER_F_S*column("frequency_hz")*column("target_m2_s")) with lines lt c
 
 unset logscale; set format xy "%g"
 set lmargin at screen 462.0/WIDTH; set rmargin at screen 618.0/WIDTH

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/page_turn.h"
 #include "out/page_units.h"
-#include <ctype.h>
 #include <libxml/HTMLtree.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -174,7 +173,9 @@ static void learn(struct turning *t, struct grid *g, xmlNode *cell, size_t colum
 {
     const struct wf_page_unit *unit = is_named(cell, "th") && wide == 1 ? unit_of_head(t, cell) : NULL;
     xmlNode *line = is_named(cell, "th") ? unit_line(cell) : NULL;
-    if (line && line->children && isalpha(line->children->content[0])) g->named[column] = true;
+    /* "kg", "%", a dash for a number without a unit; a blank line says nothing */
+    const char *said = line && line->children ? (const char *)line->children->content : NULL;
+    if (said && *said && strncmp(said, "\xc2\xa0", 2) != 0) g->named[column] = true;
     if (unit) g->head[column] = cell, g->unit[column] = unit;
 }
 
