@@ -116,16 +116,22 @@
 <!-- What holds the tree in each. -->
 <xsl:template name="scenario-forces">
   <xsl:param name="items"/>
+  <xsl:variable name="several" select="count($trees) &gt; 1"/>
+  <xsl:variable name="around" select="$items/holds/item/from"/>
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">sc.forces</xsl:with-param></xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">as.c.done;c.bz.kind;c.bz.from;c.bz.to;c.bz.pull:kN;c.bz.speed:m/s;as.c.from:°;c.bz.lost:kN;
-        c.bz.breaking:kN;
-        c.bz.safety</xsl:with-param>
+      <xsl:with-param name="of">
+        <xsl:if test="$several">c.br.tree;</xsl:if>
+        <xsl:text>as.c.done;c.bz.kind;c.bz.from;c.bz.to;c.bz.pull:kN;c.bz.speed:m/s;</xsl:text>
+        <xsl:if test="$around">as.c.from:°;</xsl:if>
+        <xsl:text>c.bz.lost:kN;c.bz.breaking:kN;c.bz.safety</xsl:text>
+      </xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="$items/holds/item">
         <tr>
+          <xsl:if test="$several"><td><xsl:for-each select="../../../.."><xsl:call-template name="name"/></xsl:for-each></td></xsl:if>
           <td>
             <xsl:if test="not(preceding-sibling::item)">
               <xsl:value-of select="../../name"/>
@@ -141,9 +147,11 @@
             <xsl:with-param name="x" select="pull/value div 1000"/><xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
-          <xsl:call-template name="cell">
-            <xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0</xsl:with-param>
-          </xsl:call-template>
+          <xsl:if test="$around">
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+            </xsl:call-template>
+          </xsl:if>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="pull_critical/value div 1000"/><xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>

@@ -47,6 +47,7 @@ static enum wf_status read_one(const struct wf_analyze_options *o, const struct 
     size_t before = d->errors;
     enum wf_status s = wf_scenario_options(&o->args, "analyze", x, units, a, d, &out->options.args, e);
     if (s || d->errors > before) return s;
+    out->options.tree.scan = o->tree.scan; /* of several models the one that stands */
     s = read_tree(whole, x, a, &own, out, &why);
     if (!s) s = wf_analyze_request_read(&out->options, a, &own, &out->request, &why);
     if (!s) s = wf_scenario_onto(&out->options, false, whole, NAN, a, &out->request, &out->model, &why);
