@@ -58,10 +58,15 @@ void wf_print_holds(FILE *to, const struct wf_analysis *an)
     if (an->scenario.guys)
         wf_show(to, "    static forces; the strength of guys, anchors and fittings is not assessed%s\n",
                 an->loads.ties ? "; a foot that turns more than was computed puts more on them" : "");
-    if (an->scenario.braces)
+    bool around = an->assessment && an->assessment->directions;
+    if (an->scenario.braces && !around)
         wf_show(to, "    static forces in wind from this direction, at the peak of the load; how their ends "
                     "hold in the "
                     "wood, fittings, and rods that buckle, are not assessed\n");
+    if (an->scenario.braces && around)
+        wf_show(to,
+                "    static forces, the largest of the directions below, at the peak of the load; how their "
+                "ends hold in the wood, fittings, and rods that buckle, are not assessed\n");
 }
 
 static void print_cell(FILE *to, double x)

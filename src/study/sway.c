@@ -189,7 +189,6 @@ static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p
     if (!first || !shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     qsort(at, k, sizeof *at, wf_ascending);
     if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, rough);
-    coarse.tolerance = fmax(o->tolerance, 3e-5); /* squared by the last step of Newton's method */
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
     for (size_t i = 0; i < k && !wf_interrupted(); i++) {
