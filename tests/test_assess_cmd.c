@@ -433,6 +433,17 @@ static void refused(void **state)
           CODE_INPUT,
           { "hollow culms" } },
         { "$W assess " OAK " --leaf-area 5m2", CODE_INPUT, { "unknown option '--leaf-area'" } },
+        /* a tree that stands out of its stand; a little, and its own height is taken */
+        { "$W analyze oak --model models/oak_20m.yaml --wind 20 --peak gales --spacing 5m --stand-height 5m "
+          "-o $T/out; $W assess " OAK " --samples 0 --peak gales --spacing 5m --stand-height 17.9m",
+          CODE_INPUT,
+          { "the stand is 5 m high and the tree 20 m", "the stand is 17.9 m high and the tree 20 m",
+            "Give the mean height of the stand's largest trees" } },
+        { "for h in '' '--stand-height 18.1m' '--stand-height 20m' '--stand-height 22m'; do $W assess " OAK
+          " --samples 0 --peak gales --spacing 5m $h | grep 'against breakage'; done 2>/dev/null | uniq -c | "
+          "awk '{ print $1, $2, $3 }'",
+          CODE_OK,
+          { "3 against breakage\n1 against breakage\n" } },
     };
     CHECK(rows);
 }

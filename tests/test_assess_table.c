@@ -135,6 +135,11 @@ static void tables(void **state)
           "'\\n' | sed -n '23,26p' && sed -n 3p $T/o.csv | tr , '\\n' | grep -c assessed",
           CODE_OK,
           { "1\n" } },
+        { "printf 'species,dbh_cm,height,crown width,crown base,spacing,top_height_m\\noak,40,20,6,12,3,20\\n"
+          "oak,40,20,6,12,3,5\\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv" WIND
+          "; echo $?; grep -c ',mistake,\"the stand is 5 m high and the tree 20 m: ' $T/o.csv",
+          CODE_OK,
+          { "1 assessed, 1 with mistakes, 0 failed", "\n2\n1\n" } },
     };
     CHECK(rows);
 }

@@ -673,7 +673,7 @@ void wf_tree_row_assess(struct wf_tree_row *row)
     enum wf_status s = wf_assess_case_run(&row->single, &row->arena, &row->diag, &why);
     if (!s && row->in_stand) s = wf_assess_case_run(&row->stand, &row->arena, &row->diag, &why);
     if (wf_interrupted()) return; /* any part of it may have been cut short */
-    row->state = s ? WF_ROW_FAILED : WF_ROW_DONE;
+    row->state = s == WF_EINPUT || s == WF_EUSAGE ? WF_ROW_MISTAKE : s ? WF_ROW_FAILED : WF_ROW_DONE;
     if (s)
         take_reason(row, &why);
     else if (row->single.options.scan)

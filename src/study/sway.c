@@ -152,6 +152,22 @@ static enum wf_status check_request(const struct wf_scenario *s, const struct wf
     return WF_OK;
 }
 
+/* The height of the stand is at least that of the tree: a lower one would let the stand take the load of a
+ * tree that stands out of it. */
+static enum wf_status take_stand(const struct wf_analysis *an, struct wf_stand *s, struct wf_err *e)
+{
+    const double least = 0.9; /* rule of ours: a dominant tree over the largest trees' mean height */
+    double said = s->height > 0.0 ? s->height : an->tallness;
+    s->height = fmax(said, an->tallness);
+    if (said >= least * an->tallness) return WF_OK;
+    return wf_fail(
+        e, WF_EINPUT,
+        "the stand is %.4g m high and the tree %.4g m: the peak load 'gales' is that of a tree whose "
+        "stand has at least 0.9 of its height. Give the mean height of the stand's largest trees, or "
+        "none (the tree's is taken); a tree that stands out of its stand is assessed without a stand",
+        said, an->tallness);
+}
+
 /* Structural damping: as requested, of the species, or assumed. */
 static double take_damping(const struct wf_analysis *an, bool *known)
 {
@@ -298,8 +314,8 @@ static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct w
     p->tree =
         (struct wf_gust_case){ .terrain = an->scenario.category, .height = an->tallness, .exponent = 2.0 };
     p->gust = wf_scenario_squall(&an->scenario, fmin(ten, reached * an->tallness));
-    if (!(p->request.stand.height > 0.0)) p->request.stand.height = an->tallness;
     if (method->mean) {
+        if (take_stand(an, &p->request.stand, e)) return e->code;
         p->top = profile_at(an, p->request.stand.height) / wf_scenario_speed(&an->scenario, 1.0);
         an->wind.sample = wf_profile_named("uniform")->sample;
     }
