@@ -257,6 +257,20 @@ static void full_model(void **state)
     CHECK(rows);
 }
 
+/* The elastic limit is nearest in one direction, and overturning loses the tree in another. */
+static void every_direction_counts(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "O='--species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --lean 20deg "
+          "--lean-towards 45deg --samples 0'; $W assess $O --pull-moment 900kNm --wind 34 --scenarios "
+          "root_loss=0deg:120deg 2>/dev/null | grep -A3 'what is done' | tr -s ' '",
+          CODE_OK,
+          { "root_loss=0deg:120deg - 0.80 0.80 31.1 lost" } },
+    };
+    CHECK(rows);
+}
+
 /* How often the critical wind blows: by the code, by annual maxima, and by the fit of these, which is the
  * same.
  */
@@ -458,9 +472,14 @@ static void refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(pages),     cmocka_unit_test(cards),
-                                        cmocka_unit_test(refused),   cmocka_unit_test(scenarios),
-                                        cmocka_unit_test(how_often), cmocka_unit_test(full_model),
-                                        cmocka_unit_test(from_fit),  cmocka_unit_test(same_winds) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(pages),
+                                        cmocka_unit_test(cards),
+                                        cmocka_unit_test(refused),
+                                        cmocka_unit_test(scenarios),
+                                        cmocka_unit_test(how_often),
+                                        cmocka_unit_test(full_model),
+                                        cmocka_unit_test(every_direction_counts),
+                                        cmocka_unit_test(from_fit),
+                                        cmocka_unit_test(same_winds) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -387,6 +387,6 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
                        wind->n, a, d, &c->an, e);
     if (!s) s = wf_interval_take(&c->an, &q->solve, &q->interval, true, a, e);
     if (!s) s = wf_assess(&c->an, &q->solve, c->options.required, &often, &c->x, e);
-    if (turns) c->x.directions = WF_ASSESS_DIRECTIONS, c->x.direction = c->around;
+    if (turns && !s) wf_assess_all_around(&c->x, c->around, WF_GIVEN(&c->options.run, azimuth));
     return s;
 }

@@ -58,6 +58,15 @@ static enum wf_status set_up(struct wf_analysis *an, const struct wf_solve_optio
     return s ? s : wf_sway_set_up(an, o, &speed, 1, a, NULL, e);
 }
 
+/* The criteria that lose the tree in a wind: bits by their ids. */
+static unsigned losers_at(const struct wf_at_speed *at)
+{
+    unsigned out = 0;
+    for (int c = 0; c < WF_CRITERIA && !at->status; c++)
+        if (wf_criteria[c].loses_tree && at->worst[c][WF_SCOPE_STEM].safety <= 1) out |= 1U << c;
+    return out;
+}
+
 /* ---- All directions ---- */
 
 bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc)
@@ -94,22 +103,30 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
                                 const struct wf_solve_options *o, double speed, double north,
                                 struct wf_assess_direction *out, double *worst, struct wf_err *e)
 {
+    const double alike = 1e-6;
     const struct wf_directions_request place = { .north = north };
     struct wf_arena scratch = { 0 };
     struct wf_analysis an = { .species = sp, .model = m, .solver = solver, .scenario = *sc };
-    double least = INFINITY;
+    double least = INFINITY, lost = INFINITY;
     enum wf_status s = set_up(&an, o, speed, &scratch, e);
     for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !s; k++) {
         struct wf_at_speed at;
         double azimuth = m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS;
         if ((s = turn(&an, o, speed, azimuth, &at, e))) break;
         out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
-                                               .breakage = part_at(&an.tree, &at, false).safety,
-                                               .overturning = part_at(&an.tree, &at, true).safety };
+                                               .part = { part_at(&an.tree, &at, false),
+                                                         part_at(&an.tree, &at, true) },
+                                               .loss = at.status ? 0 : wf_verdict_safety(&at, NULL),
+                                               .lost_by = losers_at(&at) };
+        out[k].breakage = out[k].part[0].safety, out[k].overturning = out[k].part[1].safety;
         for (size_t i = 0; i < an.loads.ties; i++) out[k].tie[i] = at.status ? (double)NAN : at.tie[i];
         for (size_t i = 0; i < an.loads.links; i++) out[k].link[i] = at.status ? (double)NAN : at.link[i];
-        double own = fmin(out[k].breakage, out[k].overturning);
-        if (own < least) least = own, *worst = azimuth;
+        /* in one direction the elastic limit may be nearest, in another what loses the tree */
+        double own = fmin(out[k].breakage, out[k].overturning),
+               loss = isnan(out[k].loss) ? INFINITY : out[k].loss;
+        bool first = loss < lost * (1 - alike), tied = loss <= lost * (1 + alike) || isinf(lost);
+        if (first || (tied && own < least)) *worst = azimuth, least = own;
+        lost = fmin(lost, loss);
     }
     wf_arena_free(&scratch);
     return s;
@@ -206,8 +223,7 @@ static void find_reasons(const struct wf_analysis *an, struct wf_assessment *out
     if (isnan(out->overturning.safety)) out->because |= WF_ASSESS_NO_OVERTURNING;
     const struct wf_at_speed *at = &an->at[an->n - 1];
     if (at->status) out->because |= WF_ASSESS_NO_EQUILIBRIUM;
-    for (int c = 0; c < WF_CRITERIA && !at->status; c++)
-        if (wf_criteria[c].loses_tree && at->worst[c][WF_SCOPE_STEM].safety <= 1) out->lost_by |= 1U << c;
+    out->lost_by = losers_at(at);
     if (isnan(out->breakage.safety))
         out->because |= WF_ASSESS_NO_STRENGTH;
     else if (!wf_criterion_known(elastic, &an->tree, WF_SCOPE_STEM))
@@ -251,4 +267,33 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
     find_reasons(an, out);
     out->word = word_of(out, at->status || wf_verdict_safety(at, NULL) <= 1);
     return WF_OK;
+}
+
+/* The least of a safety over all directions. */
+static void take_least(struct wf_assess_part *own, const struct wf_assess_part *other)
+{
+    if (other->safety < own->safety) *own = *other;
+}
+
+void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, bool one)
+{
+    const double before = fmin(x->breakage.safety, x->overturning.safety), fell = x->overturning.safety;
+    const bool full = x->sound <= x->breakage.safety;
+    bool lost = x->word == WF_ASSESS_LOST;
+    x->directions = WF_ASSESS_DIRECTIONS, x->direction = direction;
+    for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !one; k++) {
+        take_least(&x->breakage, &direction[k].part[0]);
+        take_least(&x->overturning, &direction[k].part[1]);
+        lost = lost || direction[k].loss <= 1;
+        x->lost_by |= direction[k].lost_by;
+    }
+    double share = fmin(x->breakage.safety, x->overturning.safety) / before;
+    if (one || !(before > 0) || isnan(share)) return;
+    if (full) x->sound = x->breakage.safety;
+    x->low *= share, x->high *= share;
+    if (fell > 0) x->wet_low *= x->overturning.safety / fell, x->wet_high *= x->overturning.safety / fell;
+    x->because &= ~(unsigned)(WF_ASSESS_LOW_END | WF_ASSESS_WET);
+    if (x->low < x->required) x->because |= WF_ASSESS_LOW_END;
+    if (x->wet_low <= 1) x->because |= WF_ASSESS_WET;
+    x->word = word_of(x, lost);
 }

@@ -46,8 +46,11 @@ struct wf_assess_part {
 };
 
 struct wf_assess_direction {
-    double from;                  /* where the wind comes from, clockwise from north [rad] */
-    double breakage, overturning; /* safeties [-] */
+    double from;                   /* where the wind comes from, clockwise from north [rad] */
+    double breakage, overturning;  /* safeties [-] */
+    struct wf_assess_part part[2]; /* the same with their places */
+    double loss;                   /* least safety by criteria that lose the tree [-]; 0: no equilibrium */
+    unsigned lost_by;              /* as struct wf_assessment */
     /* of what holds the tree, at the peak of the load on the stem, as struct wf_at_speed; NAN: no equilibrium
      * [N] */
     double tie[WF_TIES_MAX], link[WF_LINKS_MAX];
@@ -92,8 +95,8 @@ bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc);
 
 /* Safeties of a tree in one wind from WF_ASSESS_DIRECTIONS directions, evenly spaced from that in which it
  * leans. Given: where north is in the model, see study/directions.h [rad]. Returned:
- * out[WF_ASSESS_DIRECTIONS]; *worst, the azimuth of the least safety [rad]. Errors: those of
- * wf_analysis_set_up. */
+ * out[WF_ASSESS_DIRECTIONS]; *worst, the azimuth in which the tree is lost first, or where that is unknown of
+ * the least safety [rad]. Errors: those of wf_analysis_set_up. */
 enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_model *m,
                                 const struct wf_scenario *sc, const struct wf_solver *solver,
                                 const struct wf_solve_options *o, double speed, double north,
@@ -114,6 +117,11 @@ struct wf_assess_often {
  * follows. Returned: *out but for its directions. Errors: of the tree with sound sections. */
 enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
                          const struct wf_assess_often *often, struct wf_assessment *out, struct wf_err *e);
+
+/* Give an assessment its directions, which outlive it. The analysis is that of the direction in which the
+ * tree is lost first; the safeties become the least of all directions, those in saturated soil and the
+ * interval go with them, and the word follows. `one`: a direction was specified, and counts alone. */
+void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, bool one);
 
 #ifdef __cplusplus
 }
