@@ -206,6 +206,17 @@ static void scenarios(void **state)
           CODE_INPUT,
           { "'100%' is no loss of roots", "'10deg:20m' is no loss", "'1:2:3:4' is no loss",
             "'9:9' is no loss" } },
+        /* all that is said to be allowed is; a whole circle is all around */
+        { "for r in 95% 0deg:360deg:95%; do $W assess models/cards/oak.yaml --samples 0 --root-loss $r; done "
+          "| "
+          "grep '  root-loss'",
+          CODE_OK,
+          { "root-loss 95%        -       2.14         0.04",
+            "0deg:360deg:95%        -       2.14         0.04" } },
+        { "$W assess models/cards/oak.yaml --scenarios reduce=+thin=10%,thin=,leaf_off=,'season= '",
+          CODE_INPUT,
+          { "scenario 'reduce=+thin=10%': 'reduce' has no value; it is written reduce=VALUE",
+            "'thin' has no value", "'leaf_off' has no value", "'season' has no value" } },
         /* the same as a table of a card */
         { "(cat models/cards/oak.yaml; echo 'root_loss: {from: 90deg, to: 180deg, share: 50%}') >$T/c.yaml; "
           "$W assess "
@@ -397,6 +408,23 @@ static void from_fit(void **state)
             "gale, plate: the plate turned by up to 2.27 deg, in a wind of 12 m/s\n",
             "it stood that wind, which is above the critical wind of 4.1",
             "a stiffness at small tilt does not give the anchorage's strength beyond it" } },
+        { "$W assess --from $T/f --wind 8 --species oak --height 3m --girth 1m --dbh 3cm --crown-base 2m "
+          "--lean 20deg --lean-towards 9 2>&1 | grep -c 'has no effect with --from: the tree is that of the "
+          "fit'",
+          CODE_OK,
+          { "7\n" } },
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q; $W assess models/cards/oak.yaml --from "
+          "$T/f; $W assess --from $T/f --wind 8 --scenarios lean=3deg; printf 'species\n' >$T/t.csv; $W "
+          "assess "
+          "$T/t.csv -o $T/o.csv --wind 8 --from $T/f",
+          CODE_INPUT,
+          { "oak.yaml:5:9: error: height: has no effect with --from: the tree is that of the fit",
+            "scenario 'lean=3deg': lean: has no effect with --from", "--from: has no effect with a table" } },
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q; $W assess --from $T/f --wind 8 "
+          "--samples 0 "
+          "--card Harry",
+          CODE_OK,
+          { "Harry: Scots pine" } },
         { "$W analyze oak $RUN -q; $W assess --from $T/out --wind 8",
           CODE_INPUT,
           { "is no results folder of windfirm fit" } },
@@ -455,6 +483,13 @@ static void refused(void **state)
           CODE_INPUT,
           { "hollow culms" } },
         { "$W assess " OAK " --leaf-area 5m2", CODE_INPUT, { "unknown option '--leaf-area'" } },
+        { "$W assess --species oak --height 20 --girth 2.5 --crown-width 14 --crown-base 4 --wind 0",
+          CODE_INPUT,
+          { "--wind: 0 m/s is no wind in which a tree could be assessed" } },
+        { "$W assess models/cards/oak.yaml --root-loss 0deg:360deg; $W assess models/cards/oak.yaml "
+          "--root-loss 96%",
+          CODE_INPUT,
+          { "'0deg:360deg' is no loss of roots", "a whole circle is all around", "'96%' is no loss" } },
         /* a tree that stands out of its stand; a little, and its own height is taken */
         { "$W analyze oak --model models/oak_20m.yaml --wind 20 --peak gales --spacing 5m --stand-height 5m "
           "-o $T/out; $W assess " OAK " --samples 0 --peak gales --spacing 5m --stand-height 17.9m",

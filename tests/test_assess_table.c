@@ -135,6 +135,15 @@ static void tables(void **state)
           "'\\n' | sed -n '23,26p' && sed -n 3p $T/o.csv | tr , '\\n' | grep -c assessed",
           CODE_OK,
           { "1\n" } },
+        /* the table that is read stays, by whatever name */
+        { "printf 'species,dbh_cm,height,crown width,crown base\\noak,40,20,6,12\\n' >$T/t.csv; cp $T/t.csv "
+          "$T/k.csv; ln -s t.csv $T/s.csv; ln $T/t.csv $T/h.csv; ln $T/t.csv $T/p.csv.partial; for o in t s "
+          "h p; "
+          "do $W assess $T/t.csv -o $T/$o.csv" WIND
+          " 2>&1; echo $?; done; cmp $T/t.csv $T/k.csv && echo kept",
+          CODE_OK,
+          { "t.csv is the table that is read, which is not written over; give another name",
+            "s.csv is the table", "h.csv is the table", "p.csv.partial is the table", "kept\n" } },
         { "printf 'species,dbh_cm,height,crown width,crown base,spacing,top_height_m\\noak,40,20,6,12,3,20\\n"
           "oak,40,20,6,12,3,5\\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv" WIND
           "; echo $?; grep -c ',mistake,\"the stand is 5 m high and the tree 20 m: ' $T/o.csv",

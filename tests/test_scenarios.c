@@ -224,6 +224,7 @@ static void refused(void **state)
         { BAD("scenarios=terrain=II"), CODE_INPUT, { "'scenarios' is the same" } },
         { BAD("snw=3cm"), CODE_INPUT, { "'snw' is no key of a tree" } },
         { BAD("terrain"), CODE_INPUT, { "'terrain' has no value; it is written terrain=VALUE" } },
+        { BAD("remove="), CODE_INPUT, { "scenario 'remove=': 'remove' has no value" } },
         { BAD("terrain=II+terrain=III"), CODE_INPUT, { "'terrain' is there twice" } },
         { BAD("remove=id:99"), CODE_INPUT, { "scenario 'remove=id:99': ", "has no such branch" } },
         { BAD("remove=id:3+cable=id:4:id:5:1kN/m"),

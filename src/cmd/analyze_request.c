@@ -62,7 +62,8 @@ static bool roots_wrong(const void *options, const struct wf_option *row, char *
     (void)row;
     return wf_option_unused(!wf_root_loss_read(text, &q), why,
                             "'%.60s' is no loss of roots: a share up to 95%% all around, 40%%, or a sector "
-                            "clockwise from north with or without a share, 30deg:120deg:60%%",
+                            "clockwise from north with or without a share, 30deg:120deg:60%% (a whole circle "
+                            "is all around)",
                             text);
 }
 

@@ -115,6 +115,15 @@ static bool species_wrong(const void *options, const struct wf_option *row, char
     return wrong;
 }
 
+static bool calm_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_speeds *wind = &((const struct wf_assess_options *)options)->run.wind;
+    (void)row;
+    return wf_option_unused(wind->n && !(wind->speed[wind->n - 1] > 0), why,
+                            "0 m/s is no wind in which a tree could be assessed; a storm is meant, for "
+                            "example --wind 25");
+}
+
 static bool wind_wrong(const void *options, const struct wf_option *row, char *why)
 {
     const struct wf_assess_options *o = options;
@@ -124,10 +133,24 @@ static bool wind_wrong(const void *options, const struct wf_option *row, char *w
                             "--design en1991 --basic-wind 25");
 }
 
-static bool towards_unused(const void *options, const struct wf_option *row, char *why)
+/* Is the tree that of a fit, of which the card's own keys say nothing? */
+static bool card_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
-    return wf_option_unused(!(((const struct wf_assess_options *)options)->lean > 0), why, "without --lean");
+    return wf_option_unused(((const struct wf_assess_options *)options)->from != NULL, why,
+                            "with --from: the tree is that of the fit");
+}
+
+static bool from_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(((const struct wf_args *)options)->n > 0, why, "with a table of trees");
+}
+
+static bool towards_unused(const void *options, const struct wf_option *row, char *why)
+{
+    return card_unused(options, row, why) ||
+           wf_option_unused(!(((const struct wf_assess_options *)options)->lean > 0), why, "without --lean");
 }
 
 static bool change_unused(const void *options, const struct wf_option *row, char *why)
@@ -165,16 +188,19 @@ static const struct wf_option card_rows[] = {
     TEXT("--card", name, "NAME", NULL, "name of the tree; the first key of a card"),
     TEXT("--species", species, "SPECIES", NULL,
          "species table: a file or the name of a shipped one ('windfirm species list')",
-         .wrong = species_wrong),
+         .wrong = species_wrong, .unused = card_unused),
     NUMBER("--height", height, "LENGTH", LENGTH, "m", 0, 1e4, NULL, "from the ground to the top",
-           .wrong = height_wrong),
+           .wrong = height_wrong, .unused = card_unused),
     NUMBER("--girth", girth, "LENGTH", LENGTH, "m", 0, 1e4, NULL,
-           "around the stem at 1.3 m above the ground, over bark", .wrong = girth_wrong),
+           "around the stem at 1.3 m above the ground, over bark", .wrong = girth_wrong,
+           .unused = card_unused),
     NUMBER("--dbh", dbh, "LENGTH", LENGTH, "m", 0, 1e4, NULL, "in place of --girth: the diameter there",
-           .wrong = dbh_wrong),
+           .wrong = dbh_wrong, .unused = card_unused),
     NUMBER("--crown-base", crown_base, "HEIGHT", LENGTH, "m", 0, 1e4, NULL,
-           "height of the lowest living branches of the crown; or --crown-depth", .wrong = base_wrong),
-    NUMBER("--lean", lean, "ANGLE", ANGLE, "deg", 0, 60, "0", "of the stem from the vertical"),
+           "height of the lowest living branches of the crown; or --crown-depth", .wrong = base_wrong,
+           .unused = card_unused),
+    NUMBER("--lean", lean, "ANGLE", ANGLE, "deg", 0, 60, "0", "of the stem from the vertical",
+           .unused = card_unused),
     NUMBER("--lean-towards", lean_towards, "ANGLE", ANGLE, "deg", -360, 360, NULL,
            "where it leans to, clockwise from north [+x]", .unused = towards_unused),
     PATH("--photo-outline", run.tree.outline, "FILE", NULL,
@@ -195,7 +221,8 @@ static const struct wf_option card_rows[] = {
          "table's folder]",
          .unused = scans_unused),
     PATH("--from", from, "FOLDER", NULL,
-         "in place of a card: the tree of a pulling test, a results folder of 'windfirm fit'"),
+         "in place of a card: the tree of a pulling test, a results folder of 'windfirm fit'",
+         .unused = from_unused),
     TEXT("--output", run.output, "PATH", NULL,
          "write results, tables, plots and pages there, as 'windfirm analyze' does [the terminal alone]; of "
          "a table "
@@ -244,6 +271,7 @@ const struct wf_option *wf_assess_options_of(struct wf_assess_options *o)
         rows[n] = *row;
         if (!strcmp(row->name, "--crown-width")) rows[n].wrong = width_wrong;
         if (!strcmp(row->name, "--design")) rows[n].wrong = wind_wrong;
+        if (!strcmp(row->name, "--wind")) rows[n].wrong = calm_wrong;
         if (wf_scenario_changes(row) || !strcmp(row->name, "--scenarios")) rows[n].unused = change_unused;
         if (!strcmp(row->name, "--remove")) rows[n].unused = remove_unused;
         n++;

@@ -17,6 +17,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 #ifdef __GLIBC__
@@ -360,6 +361,21 @@ static void keep_memory(void)
 #endif
 }
 
+/* The table that is read is not written over, by whatever name it is called. */
+static enum wf_status keep_input(const struct table *t, const char *file, struct wf_err *e)
+{
+    const char *const written[] = { t->out, t->partial, t->note };
+    struct stat input, there;
+    if (stat(file, &input)) return WF_OK; /* said where it is opened */
+    for (size_t k = 0; k < WF_COUNT(written); k++)
+        if (!stat(written[k], &there) && there.st_dev == input.st_dev && there.st_ino == input.st_ino)
+            return wf_fail(e, WF_EUSAGE,
+                           "-o %s: %s is the table that is read, which is not written over; give another "
+                           "name, for example -o assessed.csv",
+                           t->out, written[k]);
+    return WF_OK;
+}
+
 static enum wf_status run(struct table *t, const char *file, const char *command, struct wf_err *e)
 {
     t->out = t->line->run.output;
@@ -374,7 +390,8 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     t->partial = wf_arena_print(&t->arena, "%s.partial", t->out);
     t->note = wf_arena_print(&t->arena, "%s.partial.run", t->out);
     if (!t->partial || !t->note) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
-    enum wf_status s = t->line->extremes ? read_extremes(t, e) : WF_OK;
+    enum wf_status s = keep_input(t, file, e);
+    if (!s && t->line->extremes) s = read_extremes(t, e);
     if (!s) s = wf_rows_open(&t->rows, file, keep_line, t, e);
     if (!s) s = wf_tree_columns_open(&t->columns, &t->rows, t->line, e);
     if (!s) s = wf_input_file_note("table", file, &t->arena, &t->input, e);

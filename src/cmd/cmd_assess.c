@@ -30,6 +30,7 @@ static enum wf_status take_fit(struct work *w, struct wf_diag *d, struct wf_err 
     run->options.args.n = s ? 0 : 1; /* without a fit there is no species */
     run->options.args.operand[0] = w->fit.species;
     if (!s) s = wf_assess_fit_model(&w->fit, &run->options, &run->arena, &run->model, d, e);
+    if (!s && w->options.name) run->model.name = w->options.name;
     return s ? s : wf_assess_list_read(&w->options, &run->arena, d, &w->list, e);
 }
 

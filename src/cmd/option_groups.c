@@ -375,13 +375,13 @@ bool wf_reduction_read(const char *text, struct wf_reduced *out)
 /* ---- Roots that are lost ---- */
 
 /* A number with one of two units; without one it is of the second where that is NULL. */
-static bool read_part(const char *text, const char *unit, double factor, double *out)
+static bool read_part(const char *text, const char *unit, double per, double *out)
 {
     const char *end = wf_number_read(text, text + strlen(text), '.', out);
     if (!end) return false;
     end += strspn(end, " ");
     if (!*end) return true;
-    *out *= factor;
+    *out /= per;
     return !strcmp(end, unit);
 }
 
@@ -414,7 +414,7 @@ bool wf_root_loss_read(const char *text, struct wf_anchorage_request *q)
         p += strspn(p, " ");
     }
     q->lost = 1, q->lost_half = WF_PI;
-    if (n != 2 && !read_part(part[n - 1], "%", 0.01, &q->lost)) return false;
+    if (n != 2 && !read_part(part[n - 1], "%", 100, &q->lost)) return false;
     if (n > 1) {
         if (!read_part(part[0], "deg", 1, &from) || !read_part(part[1], "deg", 1, &to)) return false;
         if (!(fabs(from) <= 360 && fabs(to) <= 360)) return false;
@@ -422,5 +422,5 @@ bool wf_root_loss_read(const char *text, struct wf_anchorage_request *q)
         if (from == to || !(width > 0 && width <= 360)) return false;
         q->lost_half = 0.5 * width * degree, q->lost_middle = (from + 0.5 * width) * degree;
     }
-    return q->lost > 0 && q->lost <= (n > 1 ? 1 : 0.95);
+    return q->lost > 0 && q->lost <= (q->lost_half < WF_PI ? 1 : 0.95);
 }

@@ -99,7 +99,7 @@ static const char *add_change(const struct wf_option *rows, char *text, struct w
 {
     char *value = strchr(text, '=');
     const struct wf_option *before = out->n ? &rows[out->option[out->n - 1]] : NULL;
-    if (value) *value++ = '\0';
+    if (value) *value++ = '\0', value = wf_text_trim(value);
     text = wf_text_trim(text);
     size_t row = row_named(rows, text);
     if (row == (size_t)-1 && !value && before && !strcmp(before->name, "--remove")) {
@@ -109,7 +109,7 @@ static const char *add_change(const struct wf_option *rows, char *text, struct w
     }
     if (row == (size_t)-1) return wf_arena_print(a, "'%.40s' is no key of a tree", text);
     if (is_of_run(&rows[row])) return wf_arena_print(a, "'%.40s' is the same in all scenarios", text);
-    if (!value && rows[row].kind != WF_OPTION_FLAG)
+    if (value ? !*value : rows[row].kind != WF_OPTION_FLAG)
         return wf_arena_print(a, "'%.40s' has no value; it is written %s=VALUE", text, text);
     for (size_t k = 0; k < out->n; k++)
         if (out->option[k] == row)
@@ -117,7 +117,7 @@ static const char *add_change(const struct wf_option *rows, char *text, struct w
                                   text);
     if (out->n == WF_SCENARIO_CHANGES) return "more than 12 changes";
     out->option[out->n] = row;
-    out->cell[out->n++] = value ? value + strspn(value, " ") : "yes";
+    out->cell[out->n++] = value ? value : "yes";
     return NULL;
 }
 
