@@ -310,6 +310,14 @@ static void how_often(void **state)
           CODE_OK,
           { "2     probability that it blows: 0.014 a year",
             "2   return period of that wind: about 74 years" } },
+        /* the band of a fitted shape, of ten years with one outlier; and a fit without a band */
+        { "(echo speed_ms; printf '%s\\n' 14 15 14.5 16 15.2 13.9 14.8 15.5 16.2 24) >$T/a.csv; $W wind "
+          "extremes --annual $T/a.csv --method gev -o $T/gev --no-plots -q; $W wind extremes --dams 14 -o "
+          "$T/dams --no-plots -q; for x in gev dams; do $W assess models/cards/oak.yaml --samples 0 "
+          "--extremes $T/$x | grep -A2 'return period of'; done",
+          CODE_OK,
+          { "/gev, winds of all", "90 % band of the fit: 10.3 years to more than its longest", "/dams, winds",
+            "how sure that is, is not known: the fit has no band" } },
         { "$W assess models/cards/oak.yaml --samples 0 --soil unknown --extremes docs/examples/annual.csv",
           CODE_OK,
           { "more than 1000000 years by docs/examples/annual.csv",

@@ -395,6 +395,26 @@ static void goes_on(void **state)
     CHECK(rows);
 }
 
+/* A row that a signal left unfinished is not written, whatever of it was there: the same command computes it.
+ * The runs are given more and more time, so that one is ended among its rows however fast the machine is. */
+static void interrupted_rows_are_not_written(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "(printf '" HEAD
+          "'; for i in $(seq 1 59); do echo $i,oak,20,$((200+i)),14,4,; done) >$T/t.csv; A=\"$W assess "
+          "$T/t.csv --samples 64" WIND "\"; $A -q -o $T/whole; k=0; while k=$((k+1)); timeout -s TERM "
+          "--preserve-status $((k/4)).$((k%4*25)) $A -o $T/o.csv >$T/said 2>&1; c=$?; [ $c = 143 ] && [ "
+          "$(wc -l <$T/o.csv.partial) -lt 3 ]; do :; done; echo ended $c; tail -1 $T/said; grep -c -v "
+          "',assessed,.* to ' $T/o.csv.partial; head -$(wc -l <$T/o.csv.partial) $T/whole | cmp - "
+          "$T/o.csv.partial && echo begins alike; $A -o $T/o.csv 2>&1 | grep -c 'goes on after'; cmp "
+          "$T/o.csv $T/whole && echo alike",
+          CODE_OK,
+          { "ended 143\n", "the same command goes on from", "\nbegins alike\n1\nalike\n" } },
+    };
+    CHECK(rows);
+}
+
 /* A row's cells do not depend on the rows beside it, on threads, nor on the width of vector instructions. */
 static void rows_do_not_mix(void **state)
 {
@@ -422,9 +442,14 @@ static void rows_do_not_mix(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(rows),      cmocka_unit_test(tables),
-                                        cmocka_unit_test(reports),   cmocka_unit_test(hostile),
-                                        cmocka_unit_test(goes_on),   cmocka_unit_test(rows_do_not_mix),
-                                        cmocka_unit_test(languages), cmocka_unit_test(scans) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(rows),
+                                        cmocka_unit_test(tables),
+                                        cmocka_unit_test(reports),
+                                        cmocka_unit_test(hostile),
+                                        cmocka_unit_test(goes_on),
+                                        cmocka_unit_test(rows_do_not_mix),
+                                        cmocka_unit_test(languages),
+                                        cmocka_unit_test(scans),
+                                        cmocka_unit_test(interrupted_rows_are_not_written) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

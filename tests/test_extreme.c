@@ -134,6 +134,56 @@ static void band_covers(void **state)
     }
 }
 
+/* Ten years with one outlier: both ends of the band of every method ascend, and hold the fit between them. */
+static void band_ascends(void **state)
+{
+    enum { PERIODS = 9 };
+    const double ten[] = { 14, 15, 14.5, 16, 15.2, 13.9, 14.8, 15.5, 16.2, 24 },
+                 even[] = { 14, 15, 16, 17, 18, 19, 20, 20.5, 20.6, 20.7 },
+                 years[PERIODS] = { 1.5, 2, 5, 10, 50, 100, 200, 1000, 1e5 };
+    (void)state;
+    for (int k = 0; k < 2 * 2 * WF_EXTREME_METHODS; k++) {
+        struct wf_extreme fit;
+        double low[PERIODS], high[PERIODS];
+        enum wf_extreme_method m = (enum wf_extreme_method)(k / 4);
+        assert_int_equal(wf_extreme_fit(m, k & 1, k & 2 ? even : ten, 10, &fit, NULL), WF_OK);
+        assert_int_equal(
+            wf_extreme_band(&fit, m, 10, years, PERIODS, 0.9, WF_EXTREME_SETS, 1, low, high, NULL), WF_OK);
+        for (size_t i = 0; i < PERIODS; i++) {
+            double speed = wf_extreme_speed(&fit, years[i]);
+            assert_true(low[i] < speed && speed < high[i]);
+            assert_true(!i || (low[i] > low[i - 1] && high[i] > high[i - 1]));
+        }
+    }
+}
+
+/* Of 30 years the 200-year wind lies above the band of a GEV in no more than 7 of 100 sets, whatever the
+ * shape between -0.1 and 0.1, and seldom below it; 5 are meant. */
+static void band_of_a_shape_covers(void **state)
+{
+    enum { SETS = 300, YEARS = 30 };
+    const double period = 200;
+    (void)state;
+    for (int k = -1; k <= 1; k++) {
+        const struct wf_extreme true_one = { 500, 80, 0.1 * k, true };
+        const double wanted = wf_extreme_speed(&true_one, period);
+        int above = 0, below = 0;
+        for (uint64_t set = 0; set < SETS; set++) {
+            double x[YEARS], low, high;
+            struct wf_extreme fit;
+            for (uint64_t i = 0; i < YEARS; i++)
+                x[i] = wf_extreme_speed(&true_one, 1 / (1 - wf_random_uniform(11, set, i)));
+            assert_int_equal(wf_extreme_fit(WF_GEV, true, x, YEARS, &fit, NULL), WF_OK);
+            assert_int_equal(
+                wf_extreme_band(&fit, WF_GEV, YEARS, &period, 1, 0.9, 300, set, &low, &high, NULL), WF_OK);
+            above += wanted > high, below += wanted < low;
+        }
+        print_message("shape %.1f: the 200-year wind is above the band in %.1f %%, below it in %.1f %%\n",
+                      true_one.shape, 100.0 * above / SETS, 100.0 * below / SETS);
+        assert_true(above <= 0.07 * SETS && below <= 0.05 * SETS);
+    }
+}
+
 static void refused(void **state)
 {
     const double few[] = { 20, 21, 22 }, same[] = { 20, 20, 20, 20, 20 }, wrong[] = { 20, 21, -3, 22, 24 };
@@ -158,6 +208,8 @@ int main(void)
         cmocka_unit_test(speeds_and_periods_agree),
         cmocka_unit_test(hours_of_a_weibull_distribution),
         cmocka_unit_test(band_covers),
+        cmocka_unit_test(band_ascends),
+        cmocka_unit_test(band_of_a_shape_covers),
         cmocka_unit_test(refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -147,6 +147,8 @@ static void print_critical(FILE *to, const struct wf_analysis *an)
 /* What the band of the extremes says of the return period. */
 static void print_band(FILE *to, const struct wf_assessment *x)
 {
+    if (isnan(x->years_low) && x->years_by)
+        wf_show(to, "    how sure that is, is not known: the fit has no band, or one that does not ascend\n");
     if (isnan(x->years_low)) return;
     wf_show(to, "    90 %% band of the fit: ");
     if (!(x->years_low > 0))

@@ -3,6 +3,7 @@
 #include "base/column.h"
 #include "base/csv.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
@@ -671,6 +672,7 @@ void wf_tree_row_assess(struct wf_tree_row *row)
     if (row->state != WF_ROW_READ) return;
     enum wf_status s = wf_assess_case_run(&row->single, &row->arena, &row->diag, &why);
     if (!s && row->in_stand) s = wf_assess_case_run(&row->stand, &row->arena, &row->diag, &why);
+    if (wf_interrupted()) return; /* any part of it may have been cut short */
     row->state = s == WF_EINPUT || s == WF_EUSAGE ? WF_ROW_MISTAKE : s ? WF_ROW_FAILED : WF_ROW_DONE;
     if (s)
         take_reason(row, &why);

@@ -42,7 +42,8 @@ const char *wf_tree_columns_text(const struct wf_tree_columns *c, struct wf_aren
  * arena is empty before and is to be freed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows *r, struct wf_tree_row *out,
                                 struct wf_err *e);
-/* Assess it; in any thread. */
+/* Assess it; in any thread. After an interrupt (base/interrupt.h) before its end its state stays WF_ROW_READ.
+ */
 void wf_tree_row_assess(struct wf_tree_row *row);
 /* Write header and row with the added columns, each with a line end. */
 void wf_tree_header_write(const struct wf_tree_columns *c, const char *header, FILE *to);

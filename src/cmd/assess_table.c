@@ -188,17 +188,31 @@ static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
     return s;
 }
 
-/* Reports of the first n rows that were assessed. Returned: *good, how many rows have what they need. */
+/* Reports of the first n rows that were assessed. Returned: *good, how many rows have what they need; the row
+ * whose report an interrupt may have cut is not among them, and its folder is written again. */
 static enum wf_status report_all(struct table *t, size_t n, size_t *good, struct wf_err *e)
 {
     struct wf_err after = { 0 };
     enum wf_status s = WF_OK;
     t->press.failed = SIZE_MAX;
-    for (size_t k = 0; k < n && !s; k++)
-        if (t->row[k].state == WF_ROW_DONE) s = report(t, k, e);
+    for (*good = 0; *good < n && !s && !wf_interrupted();) {
+        if (t->row[*good].state == WF_ROW_DONE) s = report(t, *good, e);
+        *good += !wf_interrupted();
+    }
     enum wf_status last = wf_press_drain(&t->press, s ? &after : e);
-    *good = t->press.failed < n ? t->press.failed : n;
+    if (t->press.failed < *good) *good = t->press.failed;
     return s ? s : last;
+}
+
+/* Assess n rows side by side. Returned: *good, those before the first that an interrupt left unfinished. */
+static enum wf_status assess_all(struct table *t, size_t n, size_t *good, struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    enum wf_status s = wf_parallel_abreast(n, t->line->run.threads, assess, t, &why);
+    *good = 0;
+    if (s && s != WF_EINTERRUPTED) return wf_fail(e, s, "%s", why.text);
+    while (*good < n && t->row[*good].state != WF_ROW_READ) ++*good;
+    return WF_OK;
 }
 
 /* Cells of the user stay as they are; those that a spreadsheet takes for formulas are counted. */
@@ -224,9 +238,9 @@ static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
         s = wf_tree_row_read(t->columns, &t->rows, &t->row[*n], e);
         scans += t->row[(*n)++].single.options.scan != NULL;
     }
-    if (!s) s = wf_parallel_abreast(*n, t->line->run.threads, assess, t, e);
-    size_t good = s ? 0 : *n;
-    if (!s && t->line->reports) s = report_all(t, *n, &good, e);
+    size_t good = 0;
+    if (!s) s = assess_all(t, *n, &good, e);
+    if (!s && t->line->reports) s = report_all(t, good, &good, e);
     for (size_t k = 0; k < *n; k++) {
         if (k < good) wf_tree_row_write(t->columns, &t->row[k], t->to), count(t, &t->row[k]), t->written++;
         wf_arena_free(&t->row[k].arena);
@@ -261,16 +275,18 @@ static void show(struct table *t, bool last)
 
 static enum wf_status all_rows(struct table *t, struct wf_err *e)
 {
+    struct wf_err why = { 0 };
     enum wf_status s = WF_OK;
     (void)clock_gettime(CLOCK_MONOTONIC, &t->began);
     t->shown = t->began;
     for (size_t n = 1; n && !s && !wf_interrupted();) {
-        s = batch(t, &n, e);
+        s = batch(t, &n, &why);
         show(t, false);
     }
     if (isatty(STDERR_FILENO)) fputs("\r\033[K", stderr);
     show(t, true);
-    if (s || !wf_interrupted()) return s;
+    if (s && s != WF_EINTERRUPTED) return wf_fail(e, s, "%s", why.text);
+    if (!wf_interrupted()) return WF_OK;
     return wf_fail(e, WF_EINTERRUPTED, "interrupted after %zu rows; the same command goes on from %s",
                    t->written, t->partial);
 }

@@ -233,11 +233,43 @@ static void take_points(double *value, size_t sets, double share, double *low, d
     *high = value[sets - 1 - i] + part * (value[sets - 2 - i] - value[sets - 1 - i]);
 }
 
+/* Gumbel's distribution with the first two L-moments of another one. */
+static struct wf_extreme gumbel_of(const struct wf_extreme *x)
+{
+    struct wf_extreme out = { .mode = x->mode, .scale = x->scale, .squared = x->squared };
+    double k = x->shape, gamma = tgamma(1 + k);
+    if (k == 0) return out;
+    double mean = x->mode + x->scale * (1 - gamma) / k;
+    out.scale = x->scale * (1 - pow(2, -k)) * gamma / (k * log(2));
+    out.mode = mean - euler * out.scale;
+    return out;
+}
+
+/* Ends of the bands from what was drawn of each return period. */
+static void read_band(const struct wf_extreme *x, bool shaped, const double *years, size_t count,
+                      double share, size_t sets, double *value, double *low, double *high)
+{
+    const double outer = 1 - (1 - share) / 5; /* the upper end of a fitted shape lies further out */
+    for (size_t i = 0; i < count; i++) {
+        double below, above, middle = quantile(x, rarity(years[i]));
+        take_points(value + i * sets, sets, share, &below, &above);
+        if (shaped) {
+            double beyond, unused;
+            take_points(value + i * sets, sets, outer, &unused, &beyond);
+            low[i] = speed_of(x, below), high[i] = fmax(high[i], speed_of(x, beyond));
+        } else {
+            low[i] = speed_of(x, middle - above * x->scale);
+            high[i] = speed_of(x, middle - below * x->scale);
+        }
+    }
+}
+
 enum wf_status wf_extreme_band(const struct wf_extreme *x, enum wf_extreme_method method, size_t n,
                                const double *years, size_t count, double share, size_t sets, uint64_t seed,
                                double *low, double *high, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
+    const bool shaped = wf_extreme_rows[method].shaped;
     if (sets < 40 || sets > 100000 || n < WF_EXTREME_YEARS_MIN || n > WF_EXTREME_YEARS_MAX ||
         !(share > 0 && share < 1))
         return wf_fail(e, WF_EUSAGE, "a band by %zu sets of %zu years: 40 to 100000 sets of %d to %d years",
@@ -245,20 +277,20 @@ enum wf_status wf_extreme_band(const struct wf_extreme *x, enum wf_extreme_metho
     double *v = WF_TAKE(&scratch, n, double), *value = WF_TAKE(&scratch, sets * count, double);
     enum wf_status s = v && value ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu sets", sets);
     uint64_t draw = 0;
+    if (!s && shaped) {
+        const struct wf_extreme beside = gumbel_of(x);
+        s = wf_extreme_band(&beside, WF_L_MOMENTS, n, years, count, share, sets, seed, low, high, e);
+    }
     for (size_t k = 0; k < sets && !s; k++) {
         struct wf_extreme fit;
         while (!one_set(x, method, n, seed, wf_random_stream(23, 0, 0) + draw++, v, &fit)) {
         }
         for (size_t i = 0; i < count; i++) {
-            double h = rarity(years[i]);
-            value[i * sets + k] = (quantile(&fit, h) - quantile(x, h)) / fit.scale;
+            double h = rarity(years[i]), drawn = quantile(&fit, h);
+            value[i * sets + k] = shaped ? drawn : (drawn - quantile(x, h)) / fit.scale;
         }
     }
-    for (size_t i = 0; i < count && !s; i++) {
-        double below, above, middle = quantile(x, rarity(years[i]));
-        take_points(value + i * sets, sets, share, &below, &above);
-        low[i] = speed_of(x, middle - above * x->scale), high[i] = speed_of(x, middle - below * x->scale);
-    }
+    if (!s) read_band(x, shaped, years, count, share, sets, value, low, high);
     wf_arena_free(&scratch);
     return s;
 }
