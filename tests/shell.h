@@ -52,7 +52,7 @@ static inline int shell(const char *command)
 struct row {
     const char *command;
     int code;
-    const char *expect[4]; /* pieces of the output */
+    const char *expect[5]; /* pieces of the output */
 };
 
 static inline void check(const struct row *rows, size_t n)
@@ -62,7 +62,7 @@ static inline void check(const struct row *rows, size_t n)
         if (code != rows[i].code)
             fail_msg("%s\nexit code %d, want %d; it printed:\n%s", rows[i].command, code, rows[i].code,
                      output);
-        for (size_t k = 0; k < 4 && rows[i].expect[k]; k++)
+        for (size_t k = 0; k < sizeof rows[i].expect / sizeof *rows[i].expect && rows[i].expect[k]; k++)
             if (!strstr(output, rows[i].expect[k]))
                 fail_msg("%s\ndoes not print '%s' but:\n%s", rows[i].command, rows[i].expect[k], output);
     }
