@@ -218,6 +218,16 @@ static void scenarios(void **state)
           CODE_INPUT,
           { "'100%' is no loss of roots", "'10deg:20m' is no loss", "'1:2:3:4' is no loss",
             "'9:9' is no loss" } },
+        /* a stand keeps its height where one tree of it is cut */
+        { "for h in '' '--stand-height 20m'; do $W assess " OAK " --samples 0 --peak gales --spacing 5m "
+          "--scenarios reduce=30% $h 2>/dev/null | awk '/ reduce=30%/ { print $1, $4 }'; done | uniq -c",
+          CODE_OK,
+          { " 2 reduce=30% 9.73\n" } },
+        { "for h in '' '--stand-height 11.51m'; do $W analyze oak --model models/broadleaf.yaml --wind 15 "
+          "--azimuth 0 --samples 0 --peak gales --spacing 5m --scenarios reduce=30% --no-report -o $T/s $h "
+          "2>/dev/null | awk '/ reduce=30%/ { printf \"%s %.2f\\n\", $1, $4 }'; done | uniq -c",
+          CODE_OK,
+          { " 2 reduce=30% 2.10\n" } },
         /* all that is said to be allowed is; a whole circle is all around */
         { "for r in 95% 0deg:360deg:95%; do $W assess models/cards/oak.yaml --samples 0 --root-loss $r; done "
           "| "

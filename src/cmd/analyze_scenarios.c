@@ -109,6 +109,8 @@ static enum wf_status run_one(const struct wf_analysis *whole, struct wf_analyze
         if (!(roots.grown > 0)) roots.grown = whole->tallness;
     }
     const struct wf_anchorage_request *said = q->scenario.anchorage;
+    const struct wf_stand stand = q->scenario.peak.stand;
+    if (!(stand.height > 0)) q->scenario.peak.stand.height = whole->tallness;
     if (said) q->scenario.anchorage = &roots;
     wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: %s", whole->species->name, x->name);
     enum wf_status s = wf_analyze(whole->species, &x->model, &q->scenario, &q->search, q->solver, &q->solve,
@@ -116,7 +118,7 @@ static enum wf_status run_one(const struct wf_analysis *whole, struct wf_analyze
     if (!s) s = wf_beside_take(&an, a, out, &why);
     if (!s) wf_beside_pass(&unsaid, whole->diag);
     out->name = x->name, out->removal = x->removal;
-    q->scenario.anchorage = said;
+    q->scenario.anchorage = said, q->scenario.peak.stand = stand;
     wf_arena_free(&scratch);
     return s ? wf_fail(e, s, "scenario '%s': %s", x->name, why.text) : WF_OK;
 }

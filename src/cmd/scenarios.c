@@ -271,5 +271,7 @@ enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, bool card, c
         m->scanned = whole->season == WF_LEAF_OFF ? WF_SCANNED_LEAF_OFF : WF_SCANNED_LEAF_ON;
     if (!s && !card) s = change_crown(o, q, m, e);
     if (!s) s = wf_card_change(&walls, a, m, &cut, e);
+    struct wf_stand *stand = &q->scenario.peak.stand; /* its other trees are not cut */
+    if (!(stand->height > 0) && grown > 0) stand->height = grown;
     return s ? s : lose_roots(o, grown, a, q, e);
 }

@@ -39,8 +39,8 @@ bool wf_scenario_draws(const struct wf_scenario_words *x, const struct wf_args *
 /* Onto a request and a model of its own, with its options, what wf_analyze_request_read does not know: a
  * drawn crown reduced or thinned, branches removed, leaves fallen, walls of cavities grown thinner, roots
  * lost. Given: is it the model of a card, whose crown is changed elsewhere; the model of the tree as it
- * stands, whose shape was measured or drawn in its season; the height that the roots grew to [m], NAN: not
- * known yet. Errors: WF_EUSAGE, WF_EINPUT, WF_ENOMEM. */
+ * stands, whose shape was measured or drawn in its season; the height that the roots, and the stand around it,
+ * grew to [m], NAN: not known yet. Errors: WF_EUSAGE, WF_EINPUT, WF_ENOMEM. */
 enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, bool card, const struct wf_model *whole,
                                 double grown, struct wf_arena *a, struct wf_analyze_request *q,
                                 struct wf_model *m, struct wf_err *e);
