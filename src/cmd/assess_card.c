@@ -325,12 +325,12 @@ static enum wf_status put_crown(const struct wf_assess_options *o, struct wf_mod
 {
     const struct wf_tree_asked *t = &o->run.tree;
     struct wf_silhouette *s = &m->silhouette;
-    double depth = isnan(t->crown.depth) ? m->height - o->crown_base : t->crown.depth;
+    double rise = wf_model_rise(m), depth = isnan(t->crown.depth) ? rise - o->crown_base : t->crown.depth;
     if (m->season == WF_LEAF_OFF || m->leaf_area > 0 || wf_silhouette_area(s) > 0) return WF_OK;
-    if (o->crown_base >= m->height)
+    if (o->crown_base >= rise)
         return wf_fail(e, WF_EINPUT,
                        "%s: the tree is %.4g m high; the crown base of %.4g m is not below that", o->scan,
-                       m->height, o->crown_base);
+                       rise, o->crown_base);
     if (t->crown.area > 0)
         s->area = t->crown.area;
     else if (t->crown.width > 0 && depth > 0)

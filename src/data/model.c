@@ -497,6 +497,8 @@ const struct wf_level *wf_model_wood(const struct wf_model *m, const struct wf_s
                : wf_species_level(sp, t->level[i]);
 }
 
+double wf_model_rise(const struct wf_model *m) { return m->height * cos(m->lean); }
+
 double wf_model_taper(const struct wf_model *m, double s)
 {
     switch (m->taper) {

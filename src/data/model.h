@@ -134,6 +134,8 @@ const struct wf_level *wf_model_wood(const struct wf_model *m, const struct wf_s
  * tree "branch of order 1" and so on. */
 const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level);
 
+/* Height of the stem's top above the ground: the stem is longer where it leans [m]. */
+double wf_model_rise(const struct wf_model *m);
 /* Outer radius of the stem over its base radius, at relative height s in 0..1 [-]. */
 double wf_model_taper(const struct wf_model *m, double s);
 

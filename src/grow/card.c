@@ -285,7 +285,7 @@ enum wf_status wf_card_model(const struct wf_card *c, const struct wf_species *s
                         .leafless = NAN },
     };
     out->judged_to = 0.5 * (out->crown_base + out->crown_top);
-    if (c->crown_width > 0) out->silhouette.depth = out->crown_top - out->crown_base;
+    if (c->crown_width > 0) out->silhouette.depth = c->height - c->crown_base;
     if (out->name && place_stem(form, c, a, &out->profile)) return WF_OK;
     return wf_fail(e, WF_ENOMEM, "not enough memory for a tree card");
 }
@@ -319,16 +319,16 @@ static enum wf_status shrink(struct wf_model *m, double length, double share, st
                              struct wf_err *e)
 {
     struct wf_silhouette *c = &m->silhouette;
-    struct wf_outline_size seen = wf_silhouette_size(m, m->height * cos(m->lean));
-    double base = m->crown_base, top = m->crown_top;
-    if (!wf_silhouette_ends(c, m->height, &base, &top)) base = m->crown_base, top = m->crown_top;
+    struct wf_outline_size seen = wf_silhouette_size(m, wf_model_rise(m));
+    double base, top, rise = wf_model_rise(m), along = m->height / rise;
+    if (!wf_silhouette_ends(c, rise, &base, &top)) base = m->crown_base / along, top = m->crown_top / along;
     double depth = top - base, off = length > 0 ? length : share * depth;
     double deep = 1 - off / depth, wide = length > 0 ? 1 - 2 * length / seen.breadth : 1 - share;
     if (!(deep > 0.05 && wide > 0.05))
         return wf_fail(e, WF_EINPUT,
                        "a reduction of %.3g m leaves nothing of a crown %.3g m high and %.3g m wide", off,
                        depth, seen.breadth);
-    double height = m->height - off;
+    double height = along * (rise - off);
     if (!cut_profile(&m->profile, height / m->height, a) || (c->points && !shrink_outline(c, wide, deep, a)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
     m->height = m->crown_top = height;

@@ -210,7 +210,7 @@ static enum wf_status find_outline(const struct wf_model *m, double height, stru
     if (!t || !half || !o->x || !o->z) return wf_fail(e, WF_ENOMEM, "no memory for the crown's outline");
     if (given(s->width)) {
         (void)wf_silhouette_ends(s, height, &base, &top);
-        if (base < 0)
+        if (base < -1e-9 * height) /* rounding of a leaning stem's height is no depth */
             return wf_fail(e, WF_EINPUT, "%s: a crown %g m deep lies below the ground; the tree is %g m high",
                            m->key, s->depth, height);
         for (size_t i = 0; i < n; i++) {

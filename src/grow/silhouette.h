@@ -40,7 +40,7 @@ struct wf_outline_size {
 };
 /* Given: a model and the height of its tree [m]. Of an area alone nothing else is known. */
 struct wf_outline_size wf_silhouette_size(const struct wf_model *m, double height);
-/* Lowest and highest point along a stem of this height [m]. Returned: false when it does not say. */
+/* Lowest and highest point above the ground, of a tree of this height [m]. Returned: false when it does not say. */
 bool wf_silhouette_ends(const struct wf_silhouette *s, double height, double *base, double *top);
 
 /* Put the model's silhouette on its tree, grown and clothed. The sail adds up to frontal area times the

@@ -119,10 +119,10 @@ static bool place_ends(const struct wf_model *m, const struct wf_along *wall, st
         k.s[k.n++] = m->crown_top / m->height;
         add(&k, shape, m->crown_base / m->height, m->crown_top / m->height);
     }
-    double low, high;
-    if (wf_silhouette_ends(&m->silhouette, m->height, &low, &high)) {
-        if (low > 0) k.s[k.n++] = fmin(low / m->height, 1);
-        k.s[k.n++] = fmin(high / m->height, 1);
+    double low, high, rise = wf_model_rise(m);
+    if (wf_silhouette_ends(&m->silhouette, rise, &low, &high)) {
+        if (low > 0) k.s[k.n++] = fmin(low / rise, 1);
+        k.s[k.n++] = fmin(high / rise, 1);
     }
     k.n = sort_unique(k.s, k.n, 1e-9);
     k.s[k.n - 1] = 1;

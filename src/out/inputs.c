@@ -177,7 +177,7 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
     wf_doc_quantity(d, o, "crown_base", m->crown_base, "m", "no crown");
     wf_doc_quantity(d, o, "crown_top", m->crown_top, "m", "no crown");
     wf_doc_quantity(d, o, "leaf_area", m->leaf_area, "m2", "no crown");
-    const struct wf_outline_size seen = wf_silhouette_size(m, m->height);
+    const struct wf_outline_size seen = wf_silhouette_size(m, wf_model_rise(m));
     static const char no_outline[] = "no outline";
     wf_doc_quantity(d, o, "frontal_area", seen.area, "m2", "by the leaf area");
     wf_doc_quantity(d, o, "outline_centre", seen.centre, "m", no_outline);
