@@ -403,7 +403,8 @@ static void interrupted_rows_are_not_written(void **state)
     static const struct row rows[] = {
         { "(printf '" HEAD
           "'; for i in $(seq 1 59); do echo $i,oak,20,$((200+i)),14,4,; done) >$T/t.csv; A=\"$W assess "
-          "$T/t.csv --samples 64" WIND "\"; $A -q -o $T/whole; k=0; while k=$((k+1)); timeout -s TERM "
+          "$T/t.csv --samples 64" WIND
+          "\"; $A -q -o $T/whole; k=0; while k=$((k+1)); timeout --foreground -s TERM "
           "--preserve-status $((k/4)).$((k%4*25)) $A -o $T/o.csv >$T/said 2>&1; c=$?; [ $c = 143 ] && [ "
           "$(wc -l <$T/o.csv.partial) -lt 3 ]; do :; done; echo ended $c; tail -1 $T/said; grep -c -v "
           "',assessed,.* to ' $T/o.csv.partial; head -$(wc -l <$T/o.csv.partial) $T/whole | cmp - "
