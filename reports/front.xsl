@@ -96,10 +96,12 @@
     not(contains($wood, concat(' ', criterion, ' '))) or (winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
     <xsl:sort select="winds/item[speed/value = $u]/safety/value" data-type="number"/>
     <xsl:variable name="at" select="winds/item[speed/value = $u]"/>
+    <!-- in wind from another direction it may be less -->
+    <xsl:variable name="least" select="../../assessment/breakage[criterion = current()/criterion]/safety/value[. &lt; $at/safety/value]"/>
     <xsl:call-template name="front-safety">
       <xsl:with-param name="id" select="concat('fp.', criterion)"/>
       <xsl:with-param name="name"><xsl:call-template name="criterion-name"/></xsl:with-param>
-      <xsl:with-param name="safety" select="$at/safety/value"/>
+      <xsl:with-param name="safety" select="$least | $at[not($least)]/safety/value"/>
       <xsl:with-param name="required">
         <xsl:choose>
           <xsl:when test="$asked and contains($wood, concat(' ', criterion, ' '))"><xsl:value-of select="$asked"/></xsl:when>
@@ -121,6 +123,8 @@
 <!-- Rows of the root. -->
 <xsl:template name="front-root">
   <xsl:variable name="all" select="verdict/criteria/item"/>
+  <xsl:variable name="least"
+    select="assessment/overturning/safety/value[. &lt; $all[criterion = 'overturning']/safety/value]"/>
   <xsl:variable name="required">
     <xsl:choose>
       <xsl:when test="assessment"><xsl:value-of select="assessment/required"/></xsl:when>
@@ -131,7 +135,7 @@
     <xsl:when test="$all[criterion = 'overturning']">
       <xsl:call-template name="front-safety">
         <xsl:with-param name="id">fp.overturning</xsl:with-param>
-        <xsl:with-param name="safety" select="$all[criterion = 'overturning']/safety/value"/>
+        <xsl:with-param name="safety" select="$least | $all[criterion = 'overturning' and not($least)]/safety/value"/>
         <xsl:with-param name="required" select="$required"/>
         <xsl:with-param name="where">
           <xsl:if test="verdict/anchorage/name != ''">
@@ -143,8 +147,10 @@
       <xsl:if test="$all[criterion = 'overturning-saturated-low']">
         <xsl:call-template name="front-safety">
           <xsl:with-param name="id">fp.saturated</xsl:with-param>
-          <xsl:with-param name="safety" select="$all[criterion = 'overturning-saturated-low']/safety/value"/>
-          <xsl:with-param name="high" select="$all[criterion = 'overturning-saturated-high']/safety/value"/>
+          <xsl:with-param name="safety"
+            select="assessment[$least]/saturated_low | $all[criterion = 'overturning-saturated-low' and not($least)]/safety/value"/>
+          <xsl:with-param name="high"
+            select="assessment[$least]/saturated_high | $all[criterion = 'overturning-saturated-high' and not($least)]/safety/value"/>
           <xsl:with-param name="required" select="$required"/>
         </xsl:call-template>
       </xsl:if>
