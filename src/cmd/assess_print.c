@@ -232,6 +232,18 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
 }
 
+/* The wind in which the tree is lost: 0 where it falls without wind; above the search where none was found.
+ */
+static void print_lost_at(FILE *to, int width, const struct wf_beside *x)
+{
+    char text[32];
+    if (isnan(x->critical) && isfinite(x->searched)) {
+        (void)snprintf(text, sizeof text, "> %.0f", x->searched);
+        wf_show(to, "%*s", width, text);
+    } else
+        print_number(to, width, isnan(x->critical) && x->word == WF_ASSESS_LOST ? 0.0 : x->critical);
+}
+
 /* `listed`: with the safety of branches. */
 static void print_scenario(FILE *to, const struct wf_beside *x, bool listed)
 {
@@ -243,7 +255,7 @@ static void print_scenario(FILE *to, const struct wf_beside *x, bool listed)
     print_number(to, 10, x->breakage);
     print_number(to, 13, x->overturning);
     if (listed) print_number(to, 10, x->branches);
-    print_number(to, 13, x->critical);
+    print_lost_at(to, 13, x);
     wf_show(to, "  %s\n", wf_assess_rows[x->word].name);
 }
 
