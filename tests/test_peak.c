@@ -321,21 +321,25 @@ static void crowds(void **state)
 {
     (void)state;
     struct pole p;
+    struct wf_diag d = { .arena = &p.c.arena };
     double frequency[2], factor[2];
     make(&p, "en1991", false);
+    assert_false(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, &d, &p.c.err));
+    assert_int_equal(p.an.peak->others, WF_PEAK_OTHERS);
     wf_peak_doubt(p.an.peak, speed, frequency, factor);
     assert_close(frequency[1], frequency[0], 1e-12);
     assert_close(factor[0], wf_peak_gusts(p.an.peak, speed), 1e-12);
     assert_close(factor[1], factor[0], 1e-12);
     wf_arena_free(&p.c.arena);
     make_with(&p, "en1991", 1, 4.06, 0.022);
+    assert_int_equal(p.an.peak->others, 0); /* without findings nobody is told */
+    d = (struct wf_diag){ .arena = &p.c.arena };
+    assert_false(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, &d, &p.c.err));
     wf_peak_doubt(p.an.peak, speed, frequency, factor);
     double taken = wf_peak_gusts(p.an.peak, speed);
     assert_true(frequency[1] > 1.005 * frequency[0] && factor[1] > 1.01 * factor[0]);
     assert_true(factor[0] <= taken && taken <= factor[1]);
     bool said = false;
-    struct wf_diag d = { .arena = &p.c.arena };
-    assert_false(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, &d, &p.c.err));
     for (const struct wf_finding *f = d.first; f; f = f->next) said = said || !strcmp(f->code, "peak-crowd");
     assert_true(said);
     wf_arena_free(&p.c.arena);

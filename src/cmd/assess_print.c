@@ -195,8 +195,8 @@ static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d
 {
     for (size_t k = 0; k < n; k++) {
         wf_show(to, "%7.0f deg", compass(d[k].from));
-        print_number(to, 7, d[k].breakage);
-        print_number(to, 7, d[k].overturning);
+        print_number(to, 7, d[k].breakage.safety);
+        print_number(to, 7, d[k].overturning.safety);
         if (k % 4 == 3 || k + 1 == n) wf_show(to, "\n");
     }
 }

@@ -64,8 +64,8 @@ json_t *wf_part_around(struct wf_doc *d, size_t n, const struct wf_assess_direct
     for (size_t k = 0; k < n; k++) {
         json_t *at = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_quantity(d, at, "from", x[k].from, "rad", NULL);
-        wf_doc_quantity(d, at, "breakage", x[k].breakage, "1", "not assessed");
-        wf_doc_quantity(d, at, "overturning", x[k].overturning, "1", "not assessed");
+        wf_doc_quantity(d, at, "breakage", x[k].breakage.safety, "1", "not assessed");
+        wf_doc_quantity(d, at, "overturning", x[k].overturning.safety, "1", "not assessed");
     }
     return list;
 }

@@ -11,13 +11,13 @@
 #include "load/winter.h"
 #include "study/brace.h"
 #include "study/guy.h"
-#include "study/held.h"
 #include "study/node.h"
 #include "study/reduction.h"
 #include "study/removal.h"
 #include "study/rest.h"
 #include "study/sway.h"
 #include "study/unions.h"
+#include "study/verdict.h"
 #include <math.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -258,6 +258,34 @@ static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
     return wf_sway_modes(an, &shown, 0.0, VECTORS, LOWEST, a, out, &unsaid) ? NULL : out;
 }
 
+/* Forces of what holds the tree in the wind in which it is lost; branches are solved in their own state too,
+ * on the mesh of the search. Given: an analysis with its critical winds and the nodes of their search.
+ * Returned: an->held; not known where the time of the search is used up. */
+static enum wf_status find_held(struct wf_analysis *an, const struct wf_solve_options *o,
+                                struct wf_nodes *nodes, struct wf_err *e)
+{
+    const struct wf_solve_options quick = wf_nodes_quick(o);
+    const struct wf_node *node;
+    struct wf_at_speed at;
+    struct wf_err why = { WF_OK, "" };
+    for (size_t k = 0; k < WF_TIES_MAX; k++) an->held.tie[k] = NAN;
+    for (size_t k = 0; k < WF_LINKS_MAX; k++) an->held.link[k] = NAN;
+    if (!an->loads.ties && !an->loads.links) return WF_OK;
+    const struct wf_break *loss = wf_verdict_of((const struct wf_break(*)[WF_SCOPES])an->breaks).loss;
+    if (!loss || loss->critical.outcome != WF_CRITICAL_FOUND) return WF_OK;
+    const double speed = loss->critical.speed;
+    enum wf_status s;
+    if (!wf_nodes_tracked(an))
+        s = wf_speed_totals(an, o, speed, &at, &why);
+    else if (!(s = wf_nodes_solve(nodes, &quick, speed, &node, &why)))
+        at = node->at;
+    if (s && wf_nodes_late(nodes)) return WF_OK;
+    if (s) return wf_fail(e, s, "%s", why.text);
+    for (size_t k = 0; k < an->loads.ties && !at.status; k++) an->held.tie[k] = at.tie[k];
+    for (size_t k = 0; k < an->loads.links && !at.status; k++) an->held.link[k] = at.link[k];
+    return WF_OK;
+}
+
 /* The given speeds as nodes, then the lowest critical one. */
 static enum wf_status analyze_bare(struct wf_analysis *an, const struct wf_solve_options *o,
                                    const double *speeds, struct wf_err *e)
@@ -272,7 +300,7 @@ static enum wf_status analyze_bare(struct wf_analysis *an, const struct wf_solve
         if (!node->at.status) an->branch_safety = wf_node_branch_safety(an, node);
     }
     if (!s) s = wf_analysis_breaks(an, o, nodes, an->breaks, e);
-    if (!s) s = wf_held_find(an, o, nodes, e);
+    if (!s) s = find_held(an, o, nodes, e);
     wf_nodes_close(nodes);
     return s;
 }
@@ -331,7 +359,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         s = wf_fail(&why, WF_ENOMEM, "not enough memory for the search of the critical speed");
     wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: critical wind speed", sp->name);
     if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
-    if (!s) s = wf_held_find(out, o, nodes, &why);
+    if (!s) s = find_held(out, o, nodes, &why);
     searched = !s;
     wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", sp->name);
     if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);

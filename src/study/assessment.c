@@ -114,15 +114,14 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
         double azimuth = m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS;
         if ((s = turn(&an, o, speed, azimuth, &at, e))) break;
         out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
-                                               .part = { part_at(&an.tree, &at, false),
-                                                         part_at(&an.tree, &at, true) },
+                                               .breakage = part_at(&an.tree, &at, false),
+                                               .overturning = part_at(&an.tree, &at, true),
                                                .loss = at.status ? 0 : wf_verdict_safety(&at, NULL),
                                                .lost_by = losers_at(&at) };
-        out[k].breakage = out[k].part[0].safety, out[k].overturning = out[k].part[1].safety;
         for (size_t i = 0; i < an.loads.ties; i++) out[k].tie[i] = at.status ? (double)NAN : at.tie[i];
         for (size_t i = 0; i < an.loads.links; i++) out[k].link[i] = at.status ? (double)NAN : at.link[i];
         /* in one direction the elastic limit may be nearest, in another what loses the tree */
-        double own = fmin(out[k].breakage, out[k].overturning),
+        double own = fmin(out[k].breakage.safety, out[k].overturning.safety),
                loss = isnan(out[k].loss) ? INFINITY : out[k].loss;
         bool first = loss < lost * (1 - alike), tied = loss <= lost * (1 + alike) || isinf(lost);
         if (first || (tied && own < least)) *worst = azimuth, least = own;
@@ -282,8 +281,8 @@ void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direct
     bool lost = x->word == WF_ASSESS_LOST;
     x->directions = WF_ASSESS_DIRECTIONS, x->direction = direction;
     for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !one; k++) {
-        take_least(&x->breakage, &direction[k].part[0]);
-        take_least(&x->overturning, &direction[k].part[1]);
+        take_least(&x->breakage, &direction[k].breakage);
+        take_least(&x->overturning, &direction[k].overturning);
         lost = lost || direction[k].loss <= 1;
         x->lost_by |= direction[k].lost_by;
     }

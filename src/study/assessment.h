@@ -46,11 +46,10 @@ struct wf_assess_part {
 };
 
 struct wf_assess_direction {
-    double from;                   /* where the wind comes from, clockwise from north [rad] */
-    double breakage, overturning;  /* safeties [-] */
-    struct wf_assess_part part[2]; /* the same with their places */
-    double loss;                   /* least safety by criteria that lose the tree [-]; 0: no equilibrium */
-    unsigned lost_by;              /* as struct wf_assessment */
+    double from; /* where the wind comes from, clockwise from north [rad] */
+    struct wf_assess_part breakage, overturning;
+    double loss;      /* least safety by criteria that lose the tree [-]; 0: no equilibrium */
+    unsigned lost_by; /* as struct wf_assessment */
     /* of what holds the tree, at the peak of the load on the stem, as struct wf_at_speed; NAN: no equilibrium
      * [N] */
     double tie[WF_TIES_MAX], link[WF_LINKS_MAX];

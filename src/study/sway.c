@@ -194,7 +194,7 @@ static const double rough = 3e-4; /* of the mesh that sways are found on: with 1
                                      band of a willow's sway moved its gust factor by 3e-3 */
 
 /* Sways at speeds in rising order, until there is no state in the mean wind. Given: the highest specified
- * speed, at which, or at the next below, bands are compared. */
+ * speed, at which, or at the next below, bands are compared; NAN: they are not, for nobody is told. */
 static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
                                  const struct wf_solve_options *o, double *at, size_t k, double highest,
                                  struct wf_arena *a, struct wf_err *e)
@@ -340,7 +340,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     size_t k = pick_speeds(an, speeds, n, at);
     enum wf_status s = begin(an, a, &p, e);
     if (s) return s;
-    if (p->method->sways) s = find_sways(an, p, o, at, k, n ? speeds[n - 1] : 0.0, a, e);
+    if (p->method->sways) s = find_sways(an, p, o, at, k, n && d ? speeds[n - 1] : NAN, a, e);
     an->peak = p;
     if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
     if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
