@@ -54,6 +54,9 @@
     <xsl:when test="criterion = 'size-effect'">
       <xsl:call-template name="say"><xsl:with-param name="id">unassessed.size</xsl:with-param></xsl:call-template>
     </xsl:when>
+    <xsl:when test="criterion = 'soil'">
+      <xsl:call-template name="say"><xsl:with-param name="id">unassessed.any-soil</xsl:with-param></xsl:call-template>
+    </xsl:when>
     <xsl:when test="unsaid = 'true'">
       <xsl:call-template name="say"><xsl:with-param name="id">unassessed.unsaid</xsl:with-param></xsl:call-template>
     </xsl:when>

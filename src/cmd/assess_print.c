@@ -228,6 +228,7 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         wf_show(to, "  %s not assessed: %s%s\n", wf_criteria[c].name, key, why);
     }
     if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
+    if (wf_verdict_any_soil(an)) wf_show(to, "  kind of soil not assessed: %s\n", WF_SOIL_UNASSESSED);
     if (an->anchorage && an->anchorage->method)
         wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
 }

@@ -227,6 +227,7 @@ struct wf_anchorage_request {
 
 /* The anchorage of one tree. */
 struct wf_said;
+struct wf_soil;
 struct wf_anchorage {
     const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
     double moment;  /* largest moment on the ground that the root carries, as tested or by size, before any of
@@ -234,6 +235,8 @@ struct wf_anchorage {
     double scatter; /* standard deviation of its logarithm; NAN: not known */
     const char *text; /* what it was computed from; or why overturning is not assessed */
     const struct wf_said *said; /* the same by parts (base/said.h); NULL: none */
+    const struct wf_soil *soil; /* the kind of soil, where the moment is of trees whose soil is not known;
+                                   NULL: the moment is of the soil that the tree stands in */
 };
 
 /* ---- Strength of branches ---- */

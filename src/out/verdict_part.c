@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/verdict_part.h"
+#include "base/num.h"
 #include "data/model.h"
 #include "fail/anchorage.h"
 #include "out/beside_part.h"
@@ -93,10 +94,16 @@ static json_t *not_assessed(struct wf_doc *d, const struct wf_analysis *a, const
         bool unsaid = c == WF_OVERTURNING && !strcmp(why, WF_ANCHORAGE_UNSAID);
         wf_doc_flag(d, o, "unsaid", unsaid);
     }
-    if (wf_verdict_size(a) > 0) {
+    const struct {
+        bool is;
+        const char *name, *why;
+    } others[] = { { wf_verdict_size(a) > 0, "size-effect", WF_SIZE_UNASSESSED },
+                   { wf_verdict_any_soil(a), "soil", WF_SOIL_UNASSESSED } };
+    for (size_t k = 0; k < WF_COUNT(others); k++) {
+        if (!others[k].is) continue;
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, o, "criterion", "size-effect");
-        wf_doc_text(d, o, "reason", WF_SIZE_UNASSESSED);
+        wf_doc_text(d, o, "criterion", others[k].name);
+        wf_doc_text(d, o, "reason", others[k].why);
         wf_doc_flag(d, o, "unsaid", false);
     }
     return list;
