@@ -140,7 +140,8 @@
         <xsl:with-param name="where">
           <xsl:if test="verdict/anchorage/name != ''">
             <xsl:call-template name="say">
-              <xsl:with-param name="id" select="concat('anchorage.', verdict/anchorage/name)"/></xsl:call-template>
+              <xsl:with-param name="id"><xsl:for-each select="verdict/anchorage"><xsl:call-template name="anchorage-id"/>
+              </xsl:for-each></xsl:with-param></xsl:call-template>
           </xsl:if>
         </xsl:with-param>
       </xsl:call-template>

@@ -106,7 +106,7 @@ static void cards(void **state)
         { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
           CODE_OK,
           { "Tree is lost at 23 m/", "15 to 41 m/", "once in 12 years",
-            "it breaks may be too high. Limbs, forks and unions" } },
+            "whose soils were not read. Limbs, forks and unions" } },
     };
     CHECK(rows);
 }
@@ -365,7 +365,18 @@ static void from_fit(void **state)
           "--samples 0",
           CODE_OK,
           { "against breakage      1.86", "anchorage 3.265 kN m: 0.0109 rad x 299.3 kN m/rad",
-            "the section bears 22.06 kN m", "kN m on the ground, " } },
+            "taken is the largest moment of the test instead, 7.928 kN m",
+            "put 7.928 kN m on the ground, 0.64 times the 12.47 kN m" } },
+        /* the interval too: where only the anchorage would vary, its low end is what was carried */
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples 64 -o $T/o --no-pdf -q; python3 -c \"import json; t = "
+          "json.load(open('$T/o/results.json'))['trees'][0]; a = t['verdict']['anchorage']; "
+          "print(round(a['moment']['value']), round(a['moment_by_method']['value']), "
+          "[v['critical_at_low_m_s'] == v['critical_at_high_m_s'] for v in t['interval']['varied'] "
+          "if v['quantity'] == 'anchorage'])\"; grep -c 'largest moment that the root carried in the test' "
+          "$T/o/report.html",
+          CODE_OK,
+          { "7928 3265 [True]" } },
         /* the same gauge as an extension of 200 mm that begins at 40 um: the section bears the same within
            its noise */
         { "mkdir $T/data; cp models/field/sample_pine.yaml $T; awk -F, 'NR == 1 { print "
@@ -470,7 +481,7 @@ static void refused(void **state)
             "--soil: 'clay' is none of mineral, gleyed, peaty, peat, unknown" } },
         { "$W assess " OAK
           " --soil gley --samples 0; sed 's/^soil: mineral/soil: Gley/' models/cards/oak.yaml >$T/c.yaml; "
-          "$W assess $T/c.yaml --samples 0 -o $T/c --no-report | grep -c anchorage; grep -c '\"Gley\"' "
+          "$W assess $T/c.yaml --samples 0 -o $T/c --no-report | grep -c 'anchorage 416'; grep -c '\"Gley\"' "
           "$T/c/results.json; true",
           CODE_OK,
           { "anchorage 416.7 kN m", "\n1\n0\n" } },

@@ -229,8 +229,15 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
     }
     if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
     if (wf_verdict_any_soil(an)) wf_show(to, "  kind of soil not assessed: %s\n", WF_SOIL_UNASSESSED);
-    if (an->anchorage && an->anchorage->method)
-        wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
+    const struct wf_anchorage *roots = an->anchorage;
+    if (!roots || !roots->method) return;
+    wf_show(to, "  anchorage %.4g kN m: %s\n", roots->by_method / 1e3, roots->text);
+    if (roots->by_method < roots->carried)
+        wf_show(
+            to,
+            "    taken is the largest moment of the test instead, %.4g kN m: the root carried it, and may "
+            "carry more\n",
+            roots->carried / 1e3);
 }
 
 /* The wind in which the tree is lost: 0 where it falls without wind; above the search where none was found.

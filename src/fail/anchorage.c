@@ -347,9 +347,16 @@ enum wf_status wf_anchorage_find(const struct wf_anchorage_request *q, const str
                 2 * q->lost_half * 180 / WF_PI);
     if (s || !(out->moment > 0)) return s;
     out->method = m;
+    out->by_method = out->moment, out->carried = q->carried;
+    out->moment = wf_anchorage_varied(out, 1);
     if (m->any_soil) out->soil = soil_named(q->soil);
     if (m->any_soil && out->soil->known) out->scatter = hypot(out->scatter, log(out->soil->held));
     return WF_OK;
+}
+
+double wf_anchorage_varied(const struct wf_anchorage *q, double factor)
+{
+    return fmax(q->carried, factor * q->by_method);
 }
 
 /* A rule of ours. Pulled to 1 deg, red maples lost force in nearly direct proportion to the roots that were

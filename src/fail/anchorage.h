@@ -47,6 +47,8 @@ extern const struct wf_anchorage_method wf_anchorage_methods[]; /* ends at name 
 enum wf_status wf_anchorage_find(const struct wf_anchorage_request *q, const struct wf_tree *t,
                                  const struct wf_species *sp, struct wf_arena *a, struct wf_anchorage *out,
                                  struct wf_err *e);
+/* The moment where the method's is a factor larger or smaller: never less than what was carried [N m]. */
+double wf_anchorage_varied(const struct wf_anchorage *q, double factor);
 /* Share of the anchorage that is left in wind that blows towards an azimuth [rad]; 1: nothing was lost. */
 double wf_anchorage_left(const struct wf_anchorage_request *q, double azimuth);
 /* The row of that name; NULL when there is none. */

@@ -75,7 +75,7 @@ static const struct {
       "unions above branch branch_diameter above_diameter below_diameter "
       "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
-      "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
+      "verdict anchorage moment moment_by_method moment_carried branches_from critical_gust loss_safety thickness_low thickness_high "
       "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
       "stand_spacing stand_height edge_distance gap winter_wind "

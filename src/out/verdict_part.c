@@ -121,6 +121,9 @@ static json_t *anchorage(struct wf_doc *d, const struct wf_anchorage *q)
     wf_doc_said(d, o, q->said);
     wf_doc_flag(d, o, "counts_self_weight", q->method->counts_self_weight);
     wf_doc_quantity(d, o, "moment", q->moment, "N m", NULL);
+    wf_doc_quantity(d, o, "moment_by_method", q->by_method, "N m", NULL);
+    wf_doc_quantity(d, o, "moment_carried", q->carried > 0 ? q->carried : (double)NAN, "N m",
+                    "no test put a moment on the root");
     wf_doc_number(d, o, "scatter", q->scatter);
     wf_doc_number(d, o, "saturated_low", WF_SATURATED_LOW);
     wf_doc_number(d, o, "saturated_high", WF_SATURATED_HIGH);
