@@ -300,6 +300,22 @@ static void every_direction_counts(void **state)
           "root_loss=0deg:120deg 2>/dev/null | grep -A3 'what is done' | tr -s ' '",
           CODE_OK,
           { "root_loss=0deg:120deg - 0.81 0.81 31.2 lost" } },
+        /* a thin wall on one side of a leaning stem: lost first in wind from where the lean is, nearest to
+           yielding in another; terminal, page, figure and results name both, each for what it is of */
+        { "awk 'BEGIN { print \"angle_deg,outer_m,sound_m\"; for (a = 0; a < 360; a += 15) { c = cos((a - "
+          "90) "
+          "* 3.14159265 / 180); printf \"%d,0.398,%.4f\\n\", a, 0.098 + 0.24 * (c > 0 ? c : 0) } }' "
+          ">$T/tomo.csv; $W assess --species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m "
+          "--lean 12deg --lean-towards 45deg --cavity 1.3m:$T/tomo.csv --pull-moment 300kNm --wind 25 "
+          "--samples 0 -o $T/o --no-pdf | grep 'in wind from\\|governing d' | cut -c1-52; sed 's/<h2.*//' "
+          "$T/o/report.html | grep -o 'wind from [0-9.]*°' | sort | uniq -c; python3 -c \"import json, math; "
+          "a = "
+          "json.load(open('$T/o/results.json'))['trees'][0]['assessment']; print([round(math.degrees("
+          "a[k]['from']['value'])) for k in ('breakage', 'overturning')], "
+          "round(math.degrees(a['from']['value'])))\"",
+          CODE_OK,
+          { "governing direction: wind from 225 deg, in which", "least against breakage in wind from 180 deg",
+            "2 wind from 180°\n      1 wind from 225°", "[180, 225] 225" } },
     };
     CHECK(rows);
 }
@@ -328,6 +344,17 @@ static void how_often(void **state)
           CODE_OK,
           { "/gev, winds of all", "90 % band of the fit: 10.3 years to more than its longest", "/dams, winds",
             "how sure that is, is not known: the fit has no band" } },
+        /* the same on page 1 and in the results; a wind below all of the band */
+        { "$W wind extremes --annual docs/examples/annual.csv -o $T/ex --no-plots -q; $W assess "
+          "models/cards/oak.yaml --samples 32 --extremes $T/ex -o $T/o --no-pdf -q; sed 's/<h2.*//' "
+          "$T/o/report.html | sed 's/<[^>]*>/ /g' | grep -o '90 % band of [^.]*\\.\\|At the low end[^.]*'; "
+          "python3 -c \"import json; a = json.load(open('$T/o/results.json'))['trees'][0]['assessment']; "
+          "print(round(a['return_period_low'], 1), a['return_period_low_bound'], "
+          "a['return_period_high'], a['return_period_high_bound'], a['exceedance_at_low_end'] > 0.5)\"; "
+          "$W assess models/cards/oak.yaml --samples 0 --extremes $T/ex --pull-moment 5kNm | grep band",
+          CODE_OK,
+          { "band of the fit: once in 33 years to more than its longest return period.", "At the low end of",
+            "32.7 equal None longer True", "90 % band of the fit: less than its shortest return period\n" } },
         { "$W assess models/cards/oak.yaml --samples 0 --soil unknown --extremes docs/examples/annual.csv",
           CODE_OK,
           { "more than 1000000 years by docs/examples/annual.csv",
