@@ -109,6 +109,12 @@ static void print_safeties(FILE *to, const struct wf_assessment *x)
         wf_show(to, "%16s\n", "-");
 }
 
+/* Is a safety less in wind from another direction than the assessment's? */
+static bool is_elsewhere(const struct wf_assessment *x, const struct wf_assess_part *p)
+{
+    return isfinite(p->from) && p->from != x->from;
+}
+
 /* Of which wind the critical wind is, and what is less in wind from elsewhere. */
 static void print_direction(FILE *to, const struct wf_assessment *x)
 {
@@ -123,9 +129,9 @@ static void print_direction(FILE *to, const struct wf_assessment *x)
             "  governing direction: wind from %.4g deg, in which the tree is lost first: critical wind and "
             "interval are of it, safeties the least of all %zu directions\n",
             compass(x->from), x->directions);
-    if (wf_assess_elsewhere(x, &x->breakage))
+    if (is_elsewhere(x, &x->breakage))
         wf_show(to, "    least against breakage in wind from %.4g deg\n", compass(x->breakage.from));
-    if (wf_assess_elsewhere(x, &x->overturning))
+    if (is_elsewhere(x, &x->overturning))
         wf_show(to, "    least against overturning in wind from %.4g deg\n", compass(x->overturning.from));
 }
 

@@ -285,11 +285,6 @@ static struct wf_assess_part least_of(const struct wf_assess_part *own, size_t n
     return least;
 }
 
-bool wf_assess_elsewhere(const struct wf_assessment *x, const struct wf_assess_part *p)
-{
-    return isfinite(p->from) && p->from != x->from;
-}
-
 void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, double from,
                           bool one)
 {

@@ -129,8 +129,6 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
  * alone. */
 void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, double from,
                           bool one);
-/* Is a safety less in wind from another direction than the assessment's? */
-bool wf_assess_elsewhere(const struct wf_assessment *x, const struct wf_assess_part *p);
 
 #ifdef __cplusplus
 }
