@@ -377,7 +377,13 @@
       <xsl:for-each select="$trees/verdict/not_assessed/item">
         <xsl:if test="not(../../../preceding-sibling::item/verdict/not_assessed/item[criterion = current()/criterion])"><li>
           <xsl:call-template name="say">
-            <xsl:with-param name="id" select="concat('unassessed.', criterion)"/>
+            <xsl:with-param name="id">
+              <xsl:choose>
+                <xsl:when test="criterion = 'size-effect' or criterion = 'soil'">fp.lacks.</xsl:when>
+                <xsl:otherwise>unassessed.</xsl:otherwise>
+              </xsl:choose>
+              <xsl:value-of select="criterion"/>
+            </xsl:with-param>
             <xsl:with-param name="a"><xsl:call-template name="unassessed-why"/></xsl:with-param>
           </xsl:call-template>
         </li></xsl:if>
