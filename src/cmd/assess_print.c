@@ -205,7 +205,7 @@ static void print_directions(FILE *to, const struct wf_assessment *x)
 {
     if (!x->directions) {
         wf_show(to,
-                "  the card says nothing by which directions differ: the wind's direction does not matter\n");
+                "  nothing that is given makes directions differ: the wind's direction does not matter\n");
         return;
     }
     wf_show(to, "\n  safety by the direction the wind comes from: breakage, overturning\n");

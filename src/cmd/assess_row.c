@@ -283,6 +283,11 @@ void wf_tree_columns_close(struct wf_tree_columns *c)
 
 void wf_tree_columns_say(const struct wf_tree_columns *c, struct wf_arena *a) { wf_heads_say(&c->heads, a); }
 
+enum wf_status wf_tree_columns_check(const struct wf_tree_columns *c, struct wf_err *e)
+{
+    return wf_heads_check(&c->heads, &c->of_rows, e);
+}
+
 /* ---- Reading a row ---- */
 
 /* Does a cell say that there is nothing? "none" is a word of --bark; "no" of what a tree may have or not. */
@@ -459,18 +464,12 @@ static const char *text_of(const struct wf_rows *r, struct wf_tree_row *row)
     return kept;
 }
 
-/* Columns that say which tree a row is; they are only kept, and stand on the page of the tree. */
-static const char numbers[] =
-    "number tree_number tree_no no nr id tree_id baum_id baumnummer baumnr numero numero_arbre "
-    "num no_arbre 编号 树号 树木编号 序号";
-
-static const char *number_of(const struct wf_rows *r, struct wf_arena *a)
+static const char *number_of(const struct wf_tree_columns *c, const struct wf_rows *r, struct wf_arena *a)
 {
     enum { LONGEST = 80 };
     for (size_t k = 0; k < r->cells && k < r->columns; k++) {
         const char *cell = r->cell[k];
-        if (!wf_head_among(r->name[k], numbers, a) || wf_csv_missing(cell, strlen(cell)) ||
-            strlen(cell) > LONGEST)
+        if (!c->heads.head[k].number || wf_csv_missing(cell, strlen(cell)) || strlen(cell) > LONGEST)
             continue;
         const char *at = cell;
         while ((unsigned char)*at >= ' ') at++;
@@ -512,7 +511,7 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
     out->state = WF_ROW_MISTAKE;
     out->text = text_of(r, out);
     out->reason = row_fault(c, r, &out->arena);
-    out->number = number_of(r, &out->arena);
+    out->number = number_of(c, r, &out->arena);
     if (!out->text) return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
     if (out->reason) return WF_OK;
     enum wf_status s = read_options(c, r, false, out, &out->single.options, e);
