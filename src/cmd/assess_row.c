@@ -49,6 +49,17 @@ static void put_number(double x, FILE *to)
     if (isfinite(x)) fprintf(to, "%.5g", x);
 }
 
+/* A safety: with all digits where five would put it on the other side of 1 or of the required one. */
+static void put_safety(double x, double required, FILE *to)
+{
+    char text[32];
+    if (!isfinite(x)) return;
+    (void)snprintf(text, sizeof text, "%.5g", x);
+    double shown = strtod(text, NULL);
+    bool same = (shown < required) == (x < required) && (shown > 1) == (x > 1);
+    fprintf(to, same ? "%.5g" : "%.10g", x);
+}
+
 /* A text as a cell: in quotes where it needs them; a spreadsheet must not take it for a formula. */
 static void put_text(const char *text, char separator, FILE *to)
 {
@@ -80,6 +91,7 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
     const struct wf_assessment *x = &r->x;
     enum wf_criterion_id by;
     const struct wf_critical *c = loss(r, &by);
+    enum { SAFETIES = 5 };
     bool found = c && c->outcome == WF_CRITICAL_FOUND;
     put_text(wf_assess_rows[x->word].name, separator, to);
     const double number[] = { x->breakage.safety,
@@ -89,7 +101,13 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
                               x->high,
                               found ? c->speed : (double)NAN,
                               found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN };
-    for (size_t k = 0; k < WF_COUNT(number); k++) fputc(separator, to), put_number(number[k], to);
+    for (size_t k = 0; k < WF_COUNT(number); k++) {
+        fputc(separator, to);
+        if (k < SAFETIES)
+            put_safety(number[k], x->required, to);
+        else
+            put_number(number[k], to);
+    }
     fputc(separator, to);
     if (found) put_text(wf_criteria[by].name, separator, to);
     if (!years) return;
