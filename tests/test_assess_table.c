@@ -286,6 +286,111 @@ static void languages(void **state)
     CHECK(rows);
 }
 
+/* Heads with units in words, in four languages; those that are not read are named, and what none can be told
+ * of is refused. */
+static void heads(void **state)
+{
+    (void)state;
+#define TRY(list)                                                                                            \
+    "printf '%s\\n' " list                                                                                   \
+    " | while read -r h; do printf '%s\\n' \"species;$h\" 'oak;20;250;14;4' >$T/t.csv; "                     \
+    "$W assess $T/t.csv -q -o $T/o.csv --wind 20 || echo \"fails: $h\"; sed -n 2p $T/o.csv; done | sed "     \
+    "'s/.*;assessed/assessed/' | cut -d';' -f1-4 | uniq -c"
+    static const struct row rows[] = {
+        { TRY("'Height in m;Girth in cm;crown spread (metres);Crown base height, m' "
+              "'HEIGHT [M];trunk girth at 1.3 m (cm);CROWN WIDTH;height of the crown base' "
+              "'tree height (metres);Circumference_CM;crown-width in metres;crown base'"),
+          CODE_OK,
+          { "      3 assessed;;incomplete;2.584\n" } },
+        { TRY("'Baumhöhe in Metern;Stammumfang in cm;Kronenbreite in m;Kronenansatz [m]' "
+              "'HÖHE;Umfang in 1,3 m Höhe (Zentimeter);Kronendurchmesser: m;Kronenansatzhöhe / m' "
+              "'Hoehe;Stamm-Umfang (in cm);Kronendm;Kronenbasis in Meter'"),
+          CODE_OK,
+          { "      3 assessed;;incomplete;2.584\n" } },
+        { TRY("'hauteur totale (mètres);circonférence en cm;largeur du houppier;base du houppier en m' "
+              "\"hauteur de l'arbre;circonférence du tronc à 1,30 m (centimètres);diamètre de la "
+              "couronne;hauteur de la base du houppier\""),
+          CODE_OK,
+          { "      2 assessed;;incomplete;2.584\n" } },
+        { TRY("'树高（米）;胸围（厘米）;冠幅／m;枝下高' '树高 m;胸围 单位cm;冠径米;枝下高(公尺)' "
+              "'高度;胸围厘米;树冠宽【m】;枝下高/m'"),
+          CODE_OK,
+          { "      3 assessed;;incomplete;2.584\n" } },
+        /* feet and inches are not taken for metres */
+        { "printf \"species,height ('),girth in inches,crown width ft,crown "
+          "base'\noak,65.6168,98.4252,45.9318,13.1234\n\" >$T/t.csv; $W assess "
+          "$T/t.csv -q -o $T/o.csv --wind 20; sed -n 2p $T/o.csv",
+          CODE_OK,
+          { "13.1234,assessed,,incomplete,2.584," } },
+        { "printf 'species;height at 1980;girth_cm;crown_width_m;crown_base_m;Stammumfang in 1 m "
+          "(cm);Höhe geschätzt\\noak;20;250;14;4;;\\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --wind 20",
+          CODE_INPUT,
+          { "not read, though near to the name of an option: 'height at 1980' (--height), 'Höhe geschätzt' "
+            "(--height); if",
+            "only kept: 'Stammumfang in 1 m (cm)'" } },
+        { "for h in Abstand distance 距离 écart; do printf \"species,height,$h\\noak,20,3\\n\" >$T/t.csv; $W "
+          "assess $T/t.csv -o $T/o.csv --wind 20 2>&1; echo $?; done | grep -v -e '--help' | cut -d: -f2-5; "
+          "ls $T",
+          CODE_OK,
+          { "1: error: column 'Abstand' may be the spacing of a stand", "column 'distance' may be",
+            "column '距离' may be", "column 'écart' may be", "2\nt.csv\n" } },
+    };
+    CHECK(rows);
+}
+
+/* Columns of other options give what the option gives; what no row can have is a mistake where it has a
+ * value.
+ */
+static void other_options(void **state)
+{
+    (void)state;
+#define TREE "species,height_m,girth_cm,crown_width_m,crown_base_m,"
+#define OAK "oak,20,250,14,4,"
+    static const struct row rows[] = {
+        { "printf '" TREE "snow,winter wind,bark,wind in km/h,Neigung in Grad,site,guy,cavity,ice_mm\n" OAK
+          "20cm,0.4,,,,,,nein,\n" OAK ",,none,,,,,,\n" OAK ",,,90,5,,,,\n" OAK ",,,,,forest-edge,,no,\n" OAK
+          ",,,,,Hyde Park,9m:8m:225deg:400kN/m,1.3m:80mm,5\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv "
+          "--wind "
+          "20 --soil mineral; C='--species oak --height 20 --girth 2.5 --crown-width 14 --crown-base 4 "
+          "--soil mineral'; "
+          "n=1; for o in '--wind 20 --snow 20cm --winter-wind 0.4' '--wind 20 --bark none' '--wind 25 --lean "
+          "5' "
+          "'--wind 20 --site forest-edge' '--wind 20 --guy 9m:8m:225deg:400kN/m --cavity 1.3m:80mm --ice "
+          "5mm'; do "
+          "n=$((n + 1)); $W assess $C $o --samples 0 -q --no-report -o $T/r >/dev/null || echo fails; "
+          "python3 -c "
+          "'import csv, json, sys\nr = list(csv.DictReader(open(sys.argv[1])))[int(sys.argv[2]) - 2]\n"
+          "a = json.load(open(sys.argv[3]))[\"trees\"][0][\"assessment\"]\n"
+          "d = float(r[\"wf_safety_breakage\"]) / a[\"breakage\"][\"safety\"][\"value\"] - 1\n"
+          "print(\"agrees\" if abs(d) < 2e-3 else (r, a[\"breakage\"]))' $T/o.csv $n $T/r/results.json; done "
+          "| uniq -c",
+          CODE_OK,
+          { "      5 agrees\n" } },
+        { "printf '" TREE "reduce,scenarios,north,photo_outline,samples,note\n" OAK ",,,,,kept\n" OAK
+          "20%%,,,,,\n" OAK ",reduce=3m,,,,\n" OAK ",,30,,,\n" OAK ",,,x.svg,,\n" OAK
+          ",,,,64,\n' >$T/t.csv; $W assess $T/t.csv -o "
+          "$T/o.csv --wind 20; echo \"code $?\"; cut -d, -f12- $T/o.csv",
+          CODE_OK,
+          { "rows with a value there are not assessed: 'reduce' (--reduce), 'scenarios' (--scenarios), "
+            "'north' "
+            "(--north), 'photo_outline' (--photo-outline), 'samples' (--samples)\n6 rows: 1 assessed, 5 with",
+            "line 3: column 'reduce' with '20%' is not read from a table, and would change the answer: "
+            "assess this "
+            "tree by a card",
+            "line 5: column 'north' with '30' is not read from a table, and would change the answer: --north "
+            "is given "
+            "for all rows",
+            "code 2\n" } },
+        { "printf '" TREE "cable,schneehöhe\n" OAK "id:1:id:2:100kN/m,\n" OAK
+          ",viel\n' >$T/t.csv; $W assess $T/t.csv -q "
+          "-o $T/o.csv --wind 20; cut -d, -f8- $T/o.csv",
+          CODE_OK,
+          { "mistake,\"20 m high, dbh 79.6 cm: --cable joins two points of a tree with branches",
+            "mistake,snow: 'viel' " } },
+    };
+    CHECK(rows);
+}
+
 /* Rows with the file of a tree are assessed by it, others as without that column; a file that cannot be taken
  * is a mistake of its row. */
 static void scans(void **state)
@@ -450,6 +555,8 @@ int main(void)
                                         cmocka_unit_test(goes_on),
                                         cmocka_unit_test(rows_do_not_mix),
                                         cmocka_unit_test(languages),
+                                        cmocka_unit_test(heads),
+                                        cmocka_unit_test(other_options),
                                         cmocka_unit_test(scans),
                                         cmocka_unit_test(interrupted_rows_are_not_written) };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/assess_row.h"
-#include "base/column.h"
 #include "base/csv.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
+#include "cmd/assess_columns.h"
 #include "cmd/commands.h"
+#include "cmd/scenarios.h"
 #include "data/species.h"
 #include "data/species_names.h"
 #include "load/drag.h"
@@ -22,61 +23,6 @@
 
 /* ---- The columns ---- */
 
-/* Names of a column, with blanks between: English, German, French, Chinese. The option's own name, with '_'
- * for '-', is one too. */
-static const struct known {
-    const char *option, *names;
-    bool stand; /* of a tree in a stand */
-} known[] = {
-    { "--card", "tree_name baumname nom_arbre 树名", false },
-    { "--species",
-      "tree_species species_name latin_name botanical_name art baumart essence espece espèce 树种", false },
-    { "--height",
-      "tree_height height_tree total_height h höhe hoehe baumhöhe baumhoehe gesamthöhe hauteur "
-      "hauteur_totale hauteur_arbre "
-      "树高 高度",
-      false },
-    { "--girth",
-      "gbh circumference trunk_girth stem_girth girth_at_breast_height umfang stammumfang stu "
-      "brusthöhenumfang "
-      "circonférence circonference circonférence_tronc circonference_tronc 胸围 干周",
-      false },
-    { "--dbh",
-      "d130 diameter trunk_diameter stem_diameter diameter_at_breast_height bhd brusthöhendurchmesser "
-      "stammdurchmesser diamètre diametre diamètre_tronc diametre_tronc 胸径",
-      false },
-    { "--crown-width",
-      "crown_diameter kronenbreite kronendurchmesser largeur_houppier diamètre_houppier diametre_houppier "
-      "crown_spread canopy_width canopy_spread kronendm 冠幅",
-      false },
-    { "--crown-depth", "crown_length kronenlänge kronenlaenge longueur_houppier 冠长", false },
-    { "--crown-base",
-      "crown_base_height kronenansatz kronenansatzhöhe kronenansatzhoehe base_houppier hauteur_base_houppier "
-      "枝下高",
-      false },
-    { "--crown-form", "crown_shape kronenform forme_houppier 冠形", false },
-    { "--frontal-area", "crown_area_side segelfläche kronenansicht surface_frontale 迎风面积", false },
-    { "--lean", "neigung schrägstand inclinaison 倾斜 倾角", false },
-    { "--lean-towards", "lean_direction neigungsrichtung direction_inclinaison 倾斜方向", false },
-    { "--soil", "soil_type boden bodenart sol 土壤", false },
-    { "--rooting", "rooting_depth durchwurzelung wurzeltiefe enracinement 根系深度", false },
-    { "--cavity", "höhlung hoehlung cavité cavite 空洞", false },
-    { "--bark", "bark_thickness rinde rindendicke écorce ecorce 树皮", false },
-    { "--season", "leaf_state belaubung saison 季节", false },
-    { "--terrain", "terrain_category gelände gelaende 地面类别", false },
-    { "--pull-moment", "zugversuch moment_traction 拉力试验", false },
-    { "--required-safety", "sollsicherheit sécurité_requise 要求安全系数", false },
-    { "--spacing", "tree_spacing baumabstand pflanzabstand espacement 株距", true },
-    { "--stand-height", "top_height oberhöhe oberhoehe hauteur_dominante 优势高", true },
-    { "--edge-distance", "distance_to_edge randabstand distance_lisière 林缘距离", true },
-    { "--gap", "gap_length lücke trouée 林窗", true },
-    { "--scans",
-      "scan scan_file tree_file qsm qsm_file tree_model model_file scandatei baumdatei baummodell "
-      "fichier_scan "
-      "fichier_arbre modèle_arbre modele_arbre 扫描 扫描文件 树模型 模型文件",
-      false },
-};
-
 enum { SPECIES_KEPT = 256 };
 struct kept_species {
     const char *name; /* as a cell or the command line has it */
@@ -90,89 +36,11 @@ struct wf_tree_columns {
     const struct wf_assess_options *line;
     struct wf_args of_rows; /* what of the command line is said of each row */
     const struct wf_rows *rows;
-    size_t *option; /* by column: row of the command's options; (size_t)-1: it is none of them */
-    const struct known **as;
-    double *factor; /* by column: to SI; NAN: the option's own unit */
-    bool stands;    /* there is a column of the spacing */
-    size_t scan;    /* column of the files of trees; NONE */
-    char *root;     /* of it: the folder that they lie in, links resolved */
+    struct wf_heads heads;
+    char *root; /* of the column of files: the folder that they lie in, links resolved */
     size_t kept;
     struct kept_species keep[SPECIES_KEPT];
 };
-
-static const size_t NONE = (size_t)-1;
-
-/* "largeur_du_houppier" is largeur_houppier, and "height_of_the_tree" height_tree. */
-static void drop_particles(char *name)
-{
-    static const char *const particle[] = { "_du_", "_de_la_", "_des_", "_de_", "_of_the_", "_of_" };
-    for (size_t k = 0; k < WF_COUNT(particle); k++)
-        for (char *at; (at = strstr(name, particle[k]));) {
-            const char *rest = at + strlen(particle[k]);
-            at[0] = '_';
-            memmove(at + 1, rest, strlen(rest) + 1);
-        }
-}
-
-/* A name as it is compared: letters of ASCII small, '_' for blanks and '-', without particles. */
-static void plain_name(const char *name, size_t n, char *out, size_t size)
-{
-    size_t used = 0;
-    while (n && strchr(" _-", name[n - 1])) n--;
-    for (size_t i = 0; i < n && used + 1 < size; i++) {
-        unsigned char c = (unsigned char)name[i];
-        out[used++] = c == ' ' || c == '-' ? '_' : (char)(c < 128 ? tolower(c) : c);
-    }
-    out[used] = '\0';
-    drop_particles(out);
-}
-
-static bool among(const char *names, const char *name)
-{
-    size_t n = strlen(name);
-    for (const char *at = names; n && *at; at += strcspn(at, " "), at += *at == ' ')
-        if (strcspn(at, " ") == n && !strncmp(at, name, n)) return true;
-    return false;
-}
-
-static bool is_called(const struct known *k, const char *name)
-{
-    char own[40];
-    plain_name(k->option + 2, strlen(k->option + 2), own, sizeof own);
-    return !strcmp(own, name) || among(k->names, name);
-}
-
-static size_t row_of(const struct wf_option *rows, const char *name)
-{
-    for (size_t k = 0; rows[k].name; k++)
-        if (!strcmp(rows[k].name, name)) return k;
-    return NONE;
-}
-
-/* Recognise one column: its whole name, or what is left without a unit. */
-static void recognise(struct wf_tree_columns *c, const char *name, size_t at)
-{
-    const struct wf_option *rows = c->line->run.args.option;
-    char whole[120], less[120];
-    plain_name(name, strlen(name), whole, sizeof whole);
-    c->option[at] = NONE, c->factor[at] = NAN;
-    for (size_t k = 0; k < WF_COUNT(known); k++) {
-        size_t row = row_of(rows, known[k].option), stem;
-        double factor = NAN;
-        struct wf_err unsaid = { WF_OK, "" };
-        bool unit = rows[row].kind == WF_OPTION_NUMBER && rows[row].dimension != WF_DIM_NONE &&
-                    wf_name_unit(c->units, name, rows[row].dimension, &factor, &stem, &unsaid);
-        plain_name(name, unit ? stem : 0, less, sizeof less);
-        if (!is_called(&known[k], whole) && !(unit && is_called(&known[k], less))) continue;
-        /* of a table of anchorage alone: without one it is only kept */
-        if (!strcmp(known[k].option, "--rooting") && !c->line->run.anchorage.table) continue;
-        c->option[at] = row, c->as[at] = &known[k];
-        if (unit && !is_called(&known[k], whole)) c->factor[at] = factor;
-        c->stands = c->stands || !strcmp(known[k].option, "--spacing");
-        if (!strcmp(known[k].option, "--scans")) c->scan = at;
-        return;
-    }
-}
 
 /* ---- Added columns ---- */
 
@@ -220,7 +88,8 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
                               x->low,
                               x->high,
                               found ? c->speed : (double)NAN,
-                              found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN };
+                              found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN,
+                              found ? fmod(x->from * 180 / WF_PI + 360, 360) : (double)NAN };
     for (size_t k = 0; k < WF_COUNT(number); k++) fputc(separator, to), put_number(number[k], to);
     fputc(separator, to);
     if (found) put_text(wf_criteria[by].name, separator, to);
@@ -236,7 +105,8 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
 
 #define RESULT(p)                                                                                            \
     p "verdict", p "safety_breakage", p "safety_sound", p "safety_overturning", p "safety_low",              \
-        p "safety_high", p "critical_wind_m_s", p "critical_gust_m_s", p "lost_by"
+        p "safety_high", p "critical_wind_m_s", p "critical_gust_m_s", p "critical_wind_from_deg",           \
+        p "lost_by"
 static const char *const added[] = { "wf_status",
                                      "wf_reason",
                                      RESULT("wf_"),
@@ -252,7 +122,7 @@ void wf_tree_header_write(const struct wf_tree_columns *c, const char *header, F
 {
     fputs(header, to);
     for (const char *const *n = added; *n; n++) fprintf(to, "%c%s", c->rows->separator, *n);
-    for (const char *const *n = added_stand; *n && c->stands; n++)
+    for (const char *const *n = added_stand; *n && c->heads.spacing != WF_HEAD_NONE; n++)
         fprintf(to, "%c%s", c->rows->separator, *n);
     fputc('\n', to);
 }
@@ -287,7 +157,7 @@ void wf_tree_row_write(const struct wf_tree_columns *c, const struct wf_tree_row
         else
             put_nothing(cells, s, to);
         fputc(s, to), put_warnings(&row->diag, s, to);
-        if (c->stands) {
+        if (c->heads.spacing != WF_HEAD_NONE) {
             fputc(s, to);
             if (row->state == WF_ROW_DONE && row->in_stand)
                 put_result(&row->stand, s, false, to);
@@ -364,13 +234,14 @@ static enum wf_status take_scan(const struct wf_tree_columns *c, const struct wf
                                 struct wf_tree_row *row, const char **out, struct wf_err *e)
 {
     *out = NULL;
-    if (c->scan == NONE || c->scan >= r->cells) return WF_OK;
-    const char *cell = r->cell[c->scan];
+    if (c->heads.scan == WF_HEAD_NONE || c->heads.scan >= r->cells) return WF_OK;
+    const char *cell = r->cell[c->heads.scan];
     if (wf_csv_missing(cell, strlen(cell))) return WF_OK;
     if (!(*out = scan_named(c, cell, &row->arena)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
     const char *fault = scan_fault(c, cell, *out, &row->arena);
-    if (fault) row->reason = wf_arena_print(&row->arena, "%s: '%.60s': %s", r->name[c->scan], cell, fault);
+    if (fault)
+        row->reason = wf_arena_print(&row->arena, "%s: '%.60s': %s", r->name[c->heads.scan], cell, fault);
     return WF_OK;
 }
 
@@ -379,32 +250,14 @@ static enum wf_status take_scan(const struct wf_tree_columns *c, const struct wf
 static enum wf_status open_root(struct wf_tree_columns *c, struct wf_err *e)
 {
     const char *folder = c->line->scans;
-    if (c->scan == NONE && folder)
+    if (c->heads.scan == WF_HEAD_NONE && folder)
         return wf_fail(e, WF_EUSAGE, "--scans: %s has no column that names files of trees, such as 'scan'",
                        c->rows->file);
-    if (c->scan == NONE) return WF_OK;
+    if (c->heads.scan == WF_HEAD_NONE) return WF_OK;
     if (!folder) folder = scan_named(c, ".", &c->arena);
     if (!folder) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     if ((c->root = realpath(folder, NULL))) return WF_OK;
     return wf_fail(e, WF_EINPUT, "%s: %s", folder, strerror(errno));
-}
-
-static enum wf_status refuse_doubles(const struct wf_tree_columns *c, const struct wf_rows *r,
-                                     struct wf_err *e)
-{
-    for (size_t i = 0; i < r->columns; i++) {
-        if (!strncmp(r->name[i], "wf_", 3))
-            return wf_fail(e, WF_EINPUT,
-                           "%s: column '%.60s' has a name that this command adds; take out the columns of an "
-                           "earlier assessment",
-                           r->file, r->name[i]);
-        for (size_t j = 0; j < i; j++)
-            if (c->option[i] != NONE && c->option[i] == c->option[j])
-                return wf_fail(e, WF_EINPUT,
-                               "%s: columns '%.60s' and '%.60s' are both taken as %s; rename one", r->file,
-                               r->name[j], r->name[i], c->as[i]->option);
-    }
-    return WF_OK;
 }
 
 enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct wf_rows *r,
@@ -412,17 +265,12 @@ enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct w
 {
     struct wf_tree_columns *c = *out = calloc(1, sizeof *c);
     if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
-    c->rows = r, c->line = line, c->scan = NONE;
+    c->rows = r, c->line = line;
     c->of_rows = line->run.args;
-    c->of_rows.given[row_of(line->run.args.option, "--reports")] = false;
-    c->of_rows.given[row_of(line->run.args.option, "--scans")] = false;
-    c->option = WF_TAKE(&c->arena, r->columns, size_t);
-    c->as = WF_TAKE(&c->arena, r->columns, const struct known *);
-    c->factor = WF_TAKE(&c->arena, r->columns, double);
-    if (!c->option || !c->as || !c->factor) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    c->of_rows.given[wf_head_option(line->run.args.option, "--reports")] = false;
+    c->of_rows.given[wf_head_option(line->run.args.option, "--scans")] = false;
     enum wf_status s = wf_units_open(&c->units, e);
-    for (size_t k = 0; k < r->columns && !s; k++) recognise(c, r->name[k], k);
-    if (!s) s = refuse_doubles(c, r, e);
+    if (!s) s = wf_heads_read(r, line, c->units, &c->arena, &c->heads, e);
     return s ? s : open_root(c, e);
 }
 
@@ -435,64 +283,99 @@ void wf_tree_columns_close(struct wf_tree_columns *c)
     free(c);
 }
 
-const char *wf_tree_columns_text(const struct wf_tree_columns *c, struct wf_arena *a)
-{
-    const char *taken = "", *kept = "";
-    for (size_t k = 0; k < c->rows->columns && taken && kept; k++)
-        if (c->option[k] != NONE)
-            taken = wf_arena_print(a, "%s%s'%s' as %s", taken, *taken ? ", " : "", c->rows->name[k],
-                                   c->as[k]->option);
-        else
-            kept = wf_arena_print(a, "%s%s'%s'", kept, *kept ? ", " : "", c->rows->name[k]);
-    return wf_arena_print(a, "columns taken: %s; only kept: %s", *taken ? taken : "none",
-                          *kept ? kept : "none");
-}
+void wf_tree_columns_say(const struct wf_tree_columns *c, struct wf_arena *a) { wf_heads_say(&c->heads, a); }
 
 /* ---- Reading a row ---- */
+
+/* Does a cell say that there is nothing? "none" is a word of --bark; "no" of what a tree may have or not. */
+static bool is_nothing(const char *option, const char *cell)
+{
+    static const char *const of_things[] = { "--cavity", "--guy", "--cable", "--rod" };
+    bool thing = false;
+    for (size_t k = 0; k < WF_COUNT(of_things); k++) thing = thing || !strcmp(option, of_things[k]);
+    if (thing && wf_text_among("no nein non keine aucune 无 否 没有", cell)) return true;
+    return wf_csv_missing(cell, strlen(cell)) && !(!strcmp(option, "--bark") && wf_text_among("none", cell));
+}
+
+static bool is_word(const struct wf_option *o, const char *cell)
+{
+    char list[512];
+    const char *word[WF_OPTION_CHOICES];
+    for (size_t n = wf_option_choices(o, word, list, sizeof list); n-- > 0;)
+        if (!strcmp(word[n], cell)) return true;
+    return false;
+}
 
 /* A cell as an option takes it: a plain number in SI where the column has a unit, with a decimal point. NULL:
  * no memory. */
 static const char *value_of(const struct wf_tree_columns *c, size_t column, const char *cell,
                             struct wf_arena *a)
 {
-    const struct wf_option *o = &c->line->run.args.option[c->option[column]];
+    const struct wf_head *head = &c->heads.head[column];
+    const struct wf_option *o = &c->line->run.args.option[head->option];
+    bool speeds = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
     double v;
-    if (wf_csv_missing(cell, strlen(cell))) return "";
-    if (o->kind != WF_OPTION_NUMBER) return wf_arena_text(a, cell);
+    if (is_nothing(o->name, cell) || (head->use == WF_HEAD_WORDS && !is_word(o, cell))) return "";
+    if (o->kind != WF_OPTION_NUMBER && !(speeds && isfinite(head->factor))) return wf_arena_text(a, cell);
     const char *end = cell + strlen(cell), *stop = wf_number_read(cell, end, '.', &v);
     if (c->rows->separator != ',' && stop && *stop == ',') stop = wf_number_read(cell, end, ',', &v);
     if (!stop) return wf_arena_text(a, cell);
     if (*stop) return wf_arena_print(a, "%.17g%s", v, stop);
-    if (isnan(c->factor[column])) return wf_arena_print(a, "%.17g", v);
-    return wf_arena_print(a, "%.17g %s", v * c->factor[column], wf_dimension_row(o->dimension)->si);
+    if (isnan(head->factor)) return wf_arena_print(a, "%.17g", v);
+    return wf_arena_print(a, "%.17g %s", v * head->factor, wf_dimension_row(o->dimension)->si);
 }
 
 /* Does a cell name a file? A table may come from anywhere: its cells open none. */
 static bool names_file(const char *option, const char *cell)
 {
     const char *colon = strchr(cell, ':');
-    if (wf_csv_missing(cell, strlen(cell))) return false;
-    if (!strcmp(option, "--cavity") && !(colon && isdigit((unsigned char)colon[1]))) return true;
+    bool cavity = !strcmp(option, "--cavity");
+    if (is_nothing(option, cell) || (!cavity && strcmp(option, "--species") != 0)) return false;
+    if (cavity && !(colon && isdigit((unsigned char)colon[1]))) return true;
     return strchr(cell, '/') || strstr(cell, ".csv") || strstr(cell, ".yaml");
+}
+
+/* What is wrong with a cell by its column alone; NULL: nothing. */
+static const char *cell_fault(const struct wf_tree_columns *c, const struct wf_rows *r, size_t k,
+                              struct wf_arena *a)
+{
+    const struct wf_head *head = &c->heads.head[k];
+    const char *cell = r->cell[k], *option = c->line->run.args.option[head->option].name;
+    bool card =
+        wf_scenario_changes(&c->line->run.args.option[head->option]) || !strcmp(option, "--scenarios");
+    if (head->use == WF_HEAD_REFUSED && !wf_csv_missing(cell, strlen(cell)))
+        return wf_arena_print(
+            a,
+            "line %zu: column '%.60s' with '%.60s' is not read from a table, and would change "
+            "the answer: %s%s",
+            r->line, r->name[k], cell, card ? "assess this tree by a card" : option,
+            card ? "" : " is given for all rows");
+    if (head->use != WF_HEAD_REFUSED && names_file(option, cell))
+        return wf_arena_print(a, "%s: '%.60s' names a file; cells of a table open none", r->name[k], cell);
+    return NULL;
 }
 
 /* Options of the row, without or with those of a stand. */
 static enum wf_status read_options(const struct wf_tree_columns *c, const struct wf_rows *r, bool stand,
                                    struct wf_tree_row *row, struct wf_assess_options *out, struct wf_err *e)
 {
-    size_t option[WF_COUNT(known) + 1], n = 0;
-    const char *cell[WF_COUNT(known) + 1];
+    size_t option[WF_OPTIONS_MAX + 1], n = 0;
+    const char *cell[WF_OPTIONS_MAX + 1];
+    const size_t peak = wf_head_option(c->line->run.args.option, "--peak");
+    bool peak_given = false;
     struct wf_sink sink;
     for (size_t k = 0; k < r->cells && k < r->columns; k++) {
-        if (c->option[k] == NONE || k == c->scan || (c->as[k]->stand && !stand)) continue;
-        option[n] = c->option[k];
+        const struct wf_head *head = &c->heads.head[k];
+        if (head->use < WF_HEAD_READ || k == c->heads.scan || (head->stand && !stand)) continue;
+        const char *fault = cell_fault(c, r, k, &row->arena);
+        if (!row->reason) row->reason = fault;
+        if (head->use == WF_HEAD_REFUSED) continue;
+        option[n] = head->option;
         if (!(cell[n++] = value_of(c, k, r->cell[k], &row->arena)))
             return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
-        if (!row->reason && names_file(c->as[k]->option, r->cell[k]))
-            row->reason = wf_arena_print(&row->arena, "%s: '%.60s' names a file; cells of a table open none",
-                                         r->name[k], r->cell[k]);
+        peak_given = peak_given || (head->option == peak && *cell[n - 1]);
     }
-    if (stand) option[n] = row_of(c->line->run.args.option, "--peak"), cell[n++] = "gales";
+    if (stand && !peak_given) option[n] = peak, cell[n++] = "gales";
     *out = *c->line; /* what is no option */
     enum wf_status s = take_scan(c, r, row, &out->scan, e);
     if (s) return s;
@@ -548,11 +431,8 @@ static void prepare(struct wf_tree_columns *c, struct wf_tree_row *row, struct w
 
 static bool any_stand_cell(const struct wf_tree_columns *c, const struct wf_rows *r)
 {
-    for (size_t k = 0; k < r->cells && k < r->columns; k++)
-        if (c->option[k] != NONE && !strcmp(c->as[k]->option, "--spacing") &&
-            !wf_csv_missing(r->cell[k], strlen(r->cell[k])))
-            return true;
-    return false;
+    size_t k = c->heads.spacing;
+    return k != WF_HEAD_NONE && k < r->cells && !wf_csv_missing(r->cell[k], strlen(r->cell[k]));
 }
 
 /* The row as it is written: as it is, with the cells it lacks; or rebuilt where it is not in the columns of
@@ -583,16 +463,17 @@ static const char *text_of(const struct wf_rows *r, struct wf_tree_row *row)
 
 /* Columns that say which tree a row is; they are only kept, and stand on the page of the tree. */
 static const char numbers[] =
-    "number tree_number tree_no no nr id tree_id baumnummer baumnr baum_nr numéro numero 编号 树号 树木编号";
+    "number tree_number tree_no no nr id tree_id baum_id baumnummer baumnr numero numero_arbre "
+    "num no_arbre 编号 树号 树木编号 序号";
 
 static const char *number_of(const struct wf_rows *r, struct wf_arena *a)
 {
     enum { LONGEST = 80 };
-    char name[120];
     for (size_t k = 0; k < r->cells && k < r->columns; k++) {
-        plain_name(r->name[k], strlen(r->name[k]), name, sizeof name);
         const char *cell = r->cell[k];
-        if (!among(numbers, name) || wf_csv_missing(cell, strlen(cell)) || strlen(cell) > LONGEST) continue;
+        if (!wf_head_among(r->name[k], numbers, a) || wf_csv_missing(cell, strlen(cell)) ||
+            strlen(cell) > LONGEST)
+            continue;
         const char *at = cell;
         while ((unsigned char)*at >= ' ') at++;
         if (!*at) return wf_arena_text(a, cell);
@@ -604,7 +485,8 @@ static const char *number_of(const struct wf_rows *r, struct wf_arena *a)
 static bool is_empty(const struct wf_tree_columns *c, const struct wf_rows *r)
 {
     for (size_t k = 0; k < r->cells && k < r->columns; k++)
-        if (c->option[k] != NONE && !wf_csv_missing(r->cell[k], strlen(r->cell[k]))) return false;
+        if (c->heads.head[k].use >= WF_HEAD_READ && !wf_csv_missing(r->cell[k], strlen(r->cell[k])))
+            return false;
     return true;
 }
 

@@ -28,15 +28,13 @@ struct wf_tree_row {
     bool in_stand;
 };
 
-/* Recognise the columns of a table by their names, in English, German, French and Chinese, with units in or
- * behind the name. Given: the header; the options of the command line. Returned: *out, to be closed. Errors:
- * WF_EINPUT where two columns are the same, or one has the name of an added column; WF_ENOMEM; of the units.
- */
+/* Recognise the columns of a table (cmd/assess_columns.h). Returned: *out, to be closed. Errors: as
+ * wf_heads_read; WF_EUSAGE, WF_EINPUT of the folder of --scans; of the units. */
 enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct wf_rows *r,
                                     const struct wf_assess_options *line, struct wf_err *e);
 void wf_tree_columns_close(struct wf_tree_columns *c);
-/* Which columns were recognised, "height_m as --height, ..."; and the others. */
-const char *wf_tree_columns_text(const struct wf_tree_columns *c, struct wf_arena *a);
+/* Say which columns were recognised. */
+void wf_tree_columns_say(const struct wf_tree_columns *c, struct wf_arena *a);
 
 /* Read the current row of the table. Not from two threads at once. Returned: *out with state and reason; its
  * arena is empty before and is to be freed. Errors: WF_ENOMEM. */

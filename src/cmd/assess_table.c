@@ -397,8 +397,7 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     if (!s) s = wf_input_file_note("table", file, &t->arena, &t->input, e);
     const char *note = s ? NULL : note_text(t, command, e);
     if (s || !note) return e->code;
-    if (!t->line->run.args.quiet)
-        wf_show(stderr, "%s: %s\n", file, wf_tree_columns_text(t->columns, &t->arena));
+    if (!t->line->run.args.quiet) wf_tree_columns_say(t->columns, &t->arena);
     wf_interrupt_catch();
     wf_progress_watch(NULL);
     keep_memory();

@@ -78,6 +78,8 @@ static bool is_of_run(const struct wf_option *row)
     return group || row->kind == WF_OPTION_STUDY || is_among(row->name, list, WF_COUNT(list));
 }
 
+bool wf_scenario_takes(const struct wf_option *row) { return !is_of_run(row); }
+
 /* ---- Reading ---- */
 
 /* The row that a key names: "lean_towards" is --lean-towards. */

@@ -24,6 +24,9 @@ struct wf_scenario_list {
 
 /* Is this row of the options something that is done to the tree, or happens to it? */
 bool wf_scenario_changes(const struct wf_option *row);
+/* Is it of a tree, its site, its wind or what is on it, so that each scenario, and each row of a table, may
+ * have its own? */
+bool wf_scenario_takes(const struct wf_option *row);
 /* The scenarios of a command line: the changes given, all together but for those of --remove, of which each
  * is one; then the items of --scenarios. Mistakes are in `d`. Errors: WF_EUSAGE, WF_ENOMEM. */
 enum wf_status wf_scenarios_split(const struct wf_analyze_options *o, struct wf_arena *a, struct wf_diag *d,
@@ -39,8 +42,8 @@ bool wf_scenario_draws(const struct wf_scenario_words *x, const struct wf_args *
 /* Onto a request and a model of its own, with its options, what wf_analyze_request_read does not know: a
  * drawn crown reduced or thinned, branches removed, leaves fallen, walls of cavities grown thinner, roots
  * lost. Given: is it the model of a card, whose crown is changed elsewhere; the model of the tree as it
- * stands, whose shape was measured or drawn in its season; the height that the roots, and the stand around it,
- * grew to [m], NAN: not known yet. Errors: WF_EUSAGE, WF_EINPUT, WF_ENOMEM. */
+ * stands, whose shape was measured or drawn in its season; the height that the roots, and the stand around
+ * it, grew to [m], NAN: not known yet. Errors: WF_EUSAGE, WF_EINPUT, WF_ENOMEM. */
 enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, bool card, const struct wf_model *whole,
                                 double grown, struct wf_arena *a, struct wf_analyze_request *q,
                                 struct wf_model *m, struct wf_err *e);
