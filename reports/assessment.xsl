@@ -35,6 +35,38 @@
   </tr>
 </xsl:template>
 
+<xsl:template name="as-period">
+  <xsl:param name="x"/>
+  <xsl:variable name="ten" select="1 + 9 * ($x &gt;= 99.5) + 90 * ($x &gt;= 995) + 900 * ($x &gt;= 9950)"/>
+  <xsl:choose>
+    <xsl:when test="$x &lt; 9.95"><xsl:value-of select="format-number($x, '0.#')"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="format-number($ten * round($x div $ten), '#,##0')"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- What the band of the fitted extremes says of the return period, or that there is none. -->
+<xsl:template name="as-band">
+  <xsl:variable name="a" select="assessment"/>
+  <xsl:variable name="low" select="$a/return_period_low_bound"/>
+  <xsl:value-of select="$gap"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">
+      <xsl:text>as.band.</xsl:text>
+      <xsl:choose>
+        <xsl:when test="not($low != '')">none</xsl:when>
+        <xsl:when test="$low = $a/return_period_high_bound"><xsl:value-of select="$low"/></xsl:when>
+        <xsl:otherwise><xsl:value-of select="concat($low, '.', $a/return_period_high_bound)"/></xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="a">
+      <xsl:call-template name="as-period"><xsl:with-param name="x" select="$a/return_period_low"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:call-template name="as-period"><xsl:with-param name="x" select="$a/return_period_high"/></xsl:call-template>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
 <xsl:template name="as-years">
   <xsl:variable name="a" select="assessment"/>
   <xsl:choose>
@@ -43,12 +75,7 @@
         <xsl:with-param name="id" select="concat('as.years.', $a/return_period_bound)"/>
         <xsl:with-param name="a">
           <!-- two figures: a wind that is known to a tenth -->
-          <xsl:variable name="x" select="$a/return_period/value"/>
-          <xsl:variable name="ten" select="1 + 9 * ($x &gt;= 99.5) + 90 * ($x &gt;= 995) + 900 * ($x &gt;= 9950)"/>
-          <xsl:choose>
-            <xsl:when test="$x &lt; 9.95"><xsl:value-of select="format-number($x, '0.#')"/></xsl:when>
-            <xsl:otherwise><xsl:value-of select="format-number($ten * round($x div $ten), '#,##0')"/></xsl:otherwise>
-          </xsl:choose>
+          <xsl:call-template name="as-period"><xsl:with-param name="x" select="$a/return_period/value"/></xsl:call-template>
         </xsl:with-param>
         <xsl:with-param name="b">
           <xsl:call-template name="say">
@@ -68,6 +95,14 @@
         <xsl:with-param name="b" select="$a/exceedance_over_life_text"/>
         <xsl:with-param name="c" select="$a/life_years"/>
       </xsl:call-template>
+      <xsl:if test="$a/return_period_by != ''"><xsl:call-template name="as-band"/></xsl:if>
+      <xsl:if test="$a/exceedance_at_low_end_text != ''">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">as.years.low</xsl:with-param>
+          <xsl:with-param name="a" select="$a/exceedance_at_low_end_text"/>
+        </xsl:call-template>
+      </xsl:if>
     </xsl:when>
     <xsl:otherwise><xsl:call-template name="say">
       <xsl:with-param name="id">as.years.unknown</xsl:with-param>
@@ -77,7 +112,11 @@
 
 <xsl:template name="as-directions">
   <table class="data">
-    <xsl:call-template name="caption"><xsl:with-param name="id">as.t.directions</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="caption">
+      <xsl:with-param name="id">as.t.directions<xsl:if test="assessment/from/value != ''">.marked</xsl:if></xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="compass"><xsl:with-param name="of" select="assessment"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
       <xsl:with-param name="of" select="'as.c.from:°;as.breakage:;as.overturning:'"/>
     </xsl:call-template></tr></thead>
@@ -85,9 +124,12 @@
       <xsl:for-each select="assessment/directions/item">
         <xsl:sort select="from/value" data-type="number"/>
         <tr>
+          <xsl:if test="concat('', from/value) = concat('', ../../from/value)">
+            <xsl:attribute name="class">governs</xsl:attribute>
+          </xsl:if>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="$degrees * from/value"/>
-            <xsl:with-param name="pattern">0</xsl:with-param>
+            <xsl:with-param name="pattern">0.#</xsl:with-param>
           </xsl:call-template>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="breakage/value"/>
@@ -109,7 +151,10 @@
   <xsl:variable name="a" select="assessment"/>
   <table class="data">
     <xsl:call-template name="caption">
-      <xsl:with-param name="id">as.t.safety</xsl:with-param>
+      <xsl:with-param name="id">
+        <xsl:text>as.t.safety</xsl:text>
+        <xsl:if test="$a/from/value != '' and $a/from_specified = 'false'">.around</xsl:if>
+      </xsl:with-param>
       
         <xsl:with-param name="a"><xsl:call-template name="number"><xsl:with-param name="x" select="$a/speed/value"/>
       </xsl:call-template></xsl:with-param>
@@ -133,8 +178,8 @@
       </xsl:call-template>
       <xsl:call-template name="as-row">
         <xsl:with-param name="id">as.least</xsl:with-param>
-        <xsl:with-param name="now"
-          select="($a[breakage/safety/value != '']/*/safety/value[not(. &gt; $a/*/safety/value)])[1]"/>
+        <xsl:with-param name="now" select="($a/breakage/safety/value[not(. &gt; $a/overturning/safety/value)] |
+          $a/overturning/safety/value[. &lt; $a/breakage/safety/value])[1]"/>
         <xsl:with-param name="low" select="$a/low"/><xsl:with-param name="high" select="$a/high"/>
       </xsl:call-template>
     </tbody>

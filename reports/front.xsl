@@ -111,8 +111,20 @@
         </xsl:choose>
       </xsl:with-param>
       <xsl:with-param name="where">
-        <xsl:call-template name="front-section">
-          <xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template>
+        <xsl:variable name="other" select="$least/../.."/>
+        <xsl:choose>
+          <xsl:when test="$other/from/value != $other/../from/value">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">fp.section.from</xsl:with-param>
+              <xsl:with-param name="a"><xsl:call-template name="number">
+                <xsl:with-param name="x" select="$other/height/value"/></xsl:call-template></xsl:with-param>
+              <xsl:with-param name="b"><xsl:call-template name="compass">
+                <xsl:with-param name="of" select="$other"/></xsl:call-template></xsl:with-param>
+            </xsl:call-template>
+          </xsl:when>
+          <xsl:otherwise><xsl:call-template name="front-section">
+            <xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template></xsl:otherwise>
+        </xsl:choose>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
@@ -142,8 +154,17 @@
         <xsl:with-param name="where">
           <xsl:if test="verdict/anchorage/name != ''">
             <xsl:call-template name="say">
-              <xsl:with-param name="id" select="concat('anchorage.', verdict/anchorage/name)"/></xsl:call-template>
+              <xsl:with-param name="id"><xsl:for-each select="verdict/anchorage"><xsl:call-template name="anchorage-id"/>
+              </xsl:for-each></xsl:with-param></xsl:call-template>
           </xsl:if>
+          <xsl:for-each select="assessment/overturning[from/value != ../from/value]">
+            <xsl:value-of select="$gap"/>
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">fp.from</xsl:with-param>
+              <xsl:with-param name="a">
+                <xsl:call-template name="compass"><xsl:with-param name="of" select="."/></xsl:call-template></xsl:with-param>
+            </xsl:call-template>
+          </xsl:for-each>
         </xsl:with-param>
       </xsl:call-template>
       <xsl:if test="$all[criterion = 'overturning-saturated-low']">
@@ -251,11 +272,39 @@
   <xsl:if test="$all and not($off) and count($all) = count(directions/directions/item)">yes</xsl:if>
 </xsl:template>
 
+<xsl:template name="compass">
+  <xsl:param name="of"/>
+  <xsl:value-of select="format-number($degrees * $of/from/value, '0.#')"/>
+</xsl:template>
+
+<!-- Of which wind the critical wind and the figures of an assessment are, and what is less in wind from elsewhere. -->
+<xsl:template name="front-assessed">
+  <xsl:variable name="a" select="assessment"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">
+      <xsl:choose>
+        <xsl:when test="$a/from_specified = 'true'">fp.direction.specified</xsl:when>
+        <xsl:otherwise>fp.direction.first</xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="a"><xsl:call-template name="compass"><xsl:with-param name="of" select="$a"/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="b" select="count($a/directions/item)"/>
+  </xsl:call-template>
+  <xsl:for-each select="($a/breakage | $a/overturning)[from/value != $a/from/value]">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id" select="concat('fp.direction.', name())"/>
+      <xsl:with-param name="a"><xsl:call-template name="compass"><xsl:with-param name="of" select="."/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
+</xsl:template>
+
 <!-- The direction in which the tree is weakest, or which one was computed. -->
 <xsl:template name="front-direction">
   <xsl:variable name="all" select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found']"/>
   <xsl:variable name="same"><xsl:call-template name="same-from-all"/></xsl:variable>
   <xsl:choose>
+    <xsl:when test="assessment/from/value != ''"><xsl:call-template name="front-assessed"/></xsl:when>
     <xsl:when test="$same = 'yes'">
       <xsl:call-template name="say">
         <xsl:with-param name="id">fp.direction.all</xsl:with-param><xsl:with-param name="a" select="directions/number"/>
@@ -269,19 +318,6 @@
             <xsl:with-param name="id">fp.direction.weakest</xsl:with-param>
             <xsl:with-param name="a" select="format-number($degrees * from/value, '0')"/>
             <xsl:with-param name="b" select="../../number"/>
-          </xsl:call-template>
-        </xsl:if>
-      </xsl:for-each>
-    </xsl:when>
-    <xsl:when test="assessment/directions/item">
-      <xsl:for-each select="assessment/directions/item[breakage/value != '' or overturning/value != '']">
-        <xsl:sort select="(breakage[not(../overturning/value &lt; value)] | overturning[not(../breakage/value &lt;= value)])/value"
-                  data-type="number"/>
-        <xsl:if test="position() = 1">
-          <xsl:call-template name="say">
-            <xsl:with-param name="id">fp.direction.weakest</xsl:with-param>
-            <xsl:with-param name="a" select="format-number($degrees * from/value, '0')"/>
-            <xsl:with-param name="b" select="count(../item)"/>
           </xsl:call-template>
         </xsl:if>
       </xsl:for-each>
@@ -347,7 +383,13 @@
       <xsl:for-each select="$trees/verdict/not_assessed/item">
         <xsl:if test="not(../../../preceding-sibling::item/verdict/not_assessed/item[criterion = current()/criterion])"><li>
           <xsl:call-template name="say">
-            <xsl:with-param name="id" select="concat('unassessed.', criterion)"/>
+            <xsl:with-param name="id">
+              <xsl:choose>
+                <xsl:when test="criterion = 'size-effect' or criterion = 'soil'">fp.lacks.</xsl:when>
+                <xsl:otherwise>unassessed.</xsl:otherwise>
+              </xsl:choose>
+              <xsl:value-of select="criterion"/>
+            </xsl:with-param>
             <xsl:with-param name="a"><xsl:call-template name="unassessed-why"/></xsl:with-param>
           </xsl:call-template>
         </li></xsl:if>

@@ -218,6 +218,14 @@
           </xsl:choose>
         </xsl:with-param>
       </xsl:call-template>
+      <xsl:if test="$trees[1]/assessment/from/value != '' and contains(' front shapes stem tip safety ', concat(' ', @name, ' '))">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">f.from</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="compass">
+            <xsl:with-param name="of" select="$trees[1]/assessment"/></xsl:call-template></xsl:with-param>
+        </xsl:call-template>
+      </xsl:if>
       <xsl:if test="@name = 'tip' and $trees/species/streamlining/reference_speed/value &gt; 0">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.tip.kink</xsl:with-param></xsl:call-template>

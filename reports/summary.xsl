@@ -583,7 +583,17 @@
           </xsl:choose>
         </b>
       </p>
-      <p><xsl:call-template name="tips"/></p>
+      <p>
+        <xsl:if test="assessment/from/value != ''">
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">sum.from</xsl:with-param>
+            <xsl:with-param name="a">
+              <xsl:call-template name="compass"><xsl:with-param name="of" select="assessment"/></xsl:call-template></xsl:with-param>
+          </xsl:call-template>
+          <xsl:value-of select="$gap"/>
+        </xsl:if>
+        <xsl:call-template name="tips"/>
+      </p>
       <p><xsl:call-template name="strength"/></p>
       <p><xsl:call-template name="loss"/><xsl:call-template name="iv-brief"/><xsl:call-template name="voids"/></p>
     </xsl:for-each>

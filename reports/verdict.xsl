@@ -54,6 +54,9 @@
     <xsl:when test="criterion = 'size-effect'">
       <xsl:call-template name="say"><xsl:with-param name="id">unassessed.size</xsl:with-param></xsl:call-template>
     </xsl:when>
+    <xsl:when test="criterion = 'soil'">
+      <xsl:call-template name="say"><xsl:with-param name="id">unassessed.any-soil</xsl:with-param></xsl:call-template>
+    </xsl:when>
     <xsl:when test="unsaid = 'true'">
       <xsl:call-template name="say"><xsl:with-param name="id">unassessed.unsaid</xsl:with-param></xsl:call-template>
     </xsl:when>
@@ -301,6 +304,15 @@
   </xsl:for-each>
 </xsl:template>
 
+<!-- By what an anchorage was found: its method, or the largest moment of a test that is more. -->
+<xsl:template name="anchorage-id">
+  <xsl:text>anchorage.</xsl:text>
+  <xsl:choose>
+    <xsl:when test="moment_carried/value &gt; moment_by_method/value">carried</xsl:when>
+    <xsl:otherwise><xsl:value-of select="name"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- How the anchorage was found. -->
 <xsl:template name="anchorage-note">
   <xsl:for-each select="verdict/anchorage[name != '']">
@@ -309,7 +321,7 @@
         <xsl:with-param name="id">anchorage</xsl:with-param>
         <xsl:with-param name="a"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:with-param>
         <xsl:with-param name="b">
-          <xsl:call-template name="number"><xsl:with-param name="x" select="moment/value div 1000"/></xsl:call-template>
+          <xsl:call-template name="number"><xsl:with-param name="x" select="moment_by_method/value div 1000"/></xsl:call-template>
         </xsl:with-param>
         <xsl:with-param name="c">
           <xsl:call-template name="say"><xsl:with-param name="id" select="concat('anchorage.', name)"/></xsl:call-template>
@@ -321,6 +333,15 @@
           <xsl:call-template name="fine"><xsl:with-param name="text" select="validity"/></xsl:call-template></xsl:with-param>
       </xsl:call-template>
       <xsl:value-of select="$gap"/>
+      <xsl:if test="moment_carried/value &gt; moment_by_method/value">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">anchorage.more</xsl:with-param>
+          <xsl:with-param name="a">
+            <xsl:call-template name="number"><xsl:with-param name="x" select="moment_carried/value div 1000"/></xsl:call-template>
+          </xsl:with-param>
+        </xsl:call-template>
+        <xsl:value-of select="$gap"/>
+      </xsl:if>
       <xsl:call-template name="say"><xsl:with-param name="id">anchorage.static</xsl:with-param></xsl:call-template>
     </p>
   </xsl:for-each>

@@ -89,6 +89,62 @@ static void by_size(void **state)
     beam_free(&c);
 }
 
+/* The kind of soil leaves an anchorage of other trees as it is, and widens its scatter by the ratio of pulled
+ * conifers (Sitka spruce in GALES' table: 138.5, 151.2 and 172.1 over 156.2 N m/kg); a test is of its own
+ * soil. */
+static void kinds_of_soil(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *soil;
+        double ratio;
+    } kind[] = {
+        { "mineral", 1 }, { "gleyed", 138.5 / 156.2 }, { "peaty", 151.2 / 156.2 }, { "peat", 172.1 / 156.2 }
+    };
+    struct beam_case c;
+    stem(&c, 20, 0.11, 0.11);
+    for (size_t k = 0; k < WF_COUNT(kind); k++) {
+        struct wf_anchorage_request q = nothing;
+        q.soil = kind[k].soil;
+        struct wf_anchorage out = find(&c, "Quercus robur", q, &c.arena);
+        assert_close(out.moment, 32.9e3 * 0.22 * 0.22 * 20, 1e-12);
+        assert_string_equal(out.soil->name, kind[k].soil);
+        assert_close(out.soil->held, kind[k].ratio, 2e-3);
+        assert_close(out.scatter, sqrt(0.435 * 0.435 + pow(log(kind[k].ratio), 2)), 1e-3);
+        q.pull_moment = 1e4;
+        out = find(&c, "Quercus robur", q, &c.arena);
+        assert_null(out.soil);
+        assert_close(out.scatter, 0.33, 0);
+    }
+    struct wf_anchorage_request q = nothing;
+    q.method = "size";
+    assert_false(find(&c, "Quercus robur", q, &c.arena).soil->known);
+    beam_free(&c);
+}
+
+/* A root carries at least what a test put on it, by whatever method its anchorage is found, and in every
+ * sample. */
+static void carried(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_anchorage_request q = nothing;
+    stem(&c, 20, 0.11, 0.11);
+    q.carried = 3e4;
+    assert_null(find(&c, "Quercus robur", q, &c.arena).method); /* alone it is no anchorage */
+    q.pull_moment = 1e4;
+    struct wf_anchorage out = find(&c, "Quercus robur", q, &c.arena);
+    assert_close(out.moment, 3e4, 0);
+    assert_close(out.by_method, 2.5e4, 1e-15);
+    assert_close(wf_anchorage_varied(&out, 0.5), 3e4, 0);
+    assert_close(wf_anchorage_varied(&out, 1.5), 3.75e4, 1e-15);
+    q.carried = 2e4;
+    out = find(&c, "Quercus robur", q, &c.arena);
+    assert_close(out.moment, 2.5e4, 1e-15);
+    assert_close(wf_anchorage_varied(&out, 0.5), 2e4, 0);
+    beam_free(&c);
+}
+
 /* No tree says how a culm is held, nor one stem how several are. */
 static void not_by_size(void **state)
 {
@@ -593,6 +649,8 @@ int main(void)
         cmocka_unit_test(rows_are_complete),
         cmocka_unit_test(what_is_said_decides),
         cmocka_unit_test(by_size),
+        cmocka_unit_test(kinds_of_soil),
+        cmocka_unit_test(carried),
         cmocka_unit_test(lost_by_sector),
         cmocka_unit_test(not_by_size),
         cmocka_unit_test(by_mass),
@@ -604,7 +662,8 @@ int main(void)
         cmocka_unit_test(room_of_a_cantilever),
         cmocka_unit_test(room_is_used_up),
         cmocka_unit_test(curves_that_are_refused),
-        cmocka_unit_test(soil_words), cmocka_unit_test(table_rows),
+        cmocka_unit_test(soil_words),
+        cmocka_unit_test(table_rows),
         cmocka_unit_test(rigid_stem),
         cmocka_unit_test(safety_is_one),
         cmocka_unit_test(leaning_tree),

@@ -207,6 +207,7 @@ static void print_others(FILE *to, const struct wf_analysis *an, const struct wf
         if (!wf_criteria[c].whole) print_weight(to, an, b);
     }
     if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
+    if (wf_verdict_any_soil(an)) wf_show(to, "  kind of soil not assessed: %s\n", WF_SOIL_UNASSESSED);
 }
 
 static void print_anchorage(FILE *to, const struct wf_analysis *an)

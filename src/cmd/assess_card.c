@@ -6,6 +6,7 @@
 #include "cmd/scenarios.h"
 #include "data/species.h"
 #include "grow/silhouette.h"
+#include "study/directions.h"
 #include "wind/wind.h"
 #include <math.h>
 #include <string.h>
@@ -415,6 +416,8 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
                        wind->n, a, d, &c->an, e);
     if (!s) s = wf_interval_take(&c->an, &q->solve, &q->interval, true, a, e);
     if (!s) s = wf_assess(&c->an, &q->solve, c->options.required, &often, &c->x, e);
-    if (turns && !s) wf_assess_all_around(&c->x, c->around, WF_GIVEN(&c->options.run, azimuth));
+    if (turns && !s)
+        wf_assess_all_around(&c->x, c->around, wf_direction_from(&q->directions, q->scenario.azimuth),
+                             WF_GIVEN(&c->options.run, azimuth));
     return s;
 }

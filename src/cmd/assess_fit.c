@@ -225,19 +225,32 @@ enum wf_status wf_assess_fit_model(const struct wf_assess_fit *f, const struct w
                    f->model);
 }
 
+/* The largest moment that a rope put on the ground in a test, NULL: in any [N m]; 0: no rope pulled. */
+static double carried_in(const struct wf_assess_fit *f, const char *test)
+{
+    double most = 0;
+    for (size_t k = 0; k < f->records; k++) {
+        const struct wf_assess_record *r = &f->record[k];
+        if (!r->in_wind && (!test || !strcmp(r->test, test)))
+            most = fmax(most, r->force * r->level * r->rope);
+    }
+    return most;
+}
+
 enum wf_status wf_assess_fit_onto(const struct wf_assess_fit *f, const struct wf_analyze_options *o,
                                   struct wf_arena *a, struct wf_analyze_request *q, struct wf_err *e)
 {
     const struct wf_anchorage_asked *asked = &o->anchorage;
     struct wf_anchorage_request *roots = WF_TAKE(a, 1, struct wf_anchorage_request);
     if (!roots) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
-    if (!f->root.given) return WF_OK;
-    if (!WF_GIVEN(o, root_stiffness)) q->solve.root_stiffness[0] = q->solve.root_stiffness[1] = f->root.value;
-    bool said =
-        asked->method || asked->curve || asked->table || !isnan(asked->pull_moment) || !isnan(asked->secant);
-    *roots =
-        (struct wf_anchorage_request){ .soil = asked->soil, .pull_moment = NAN, .secant = f->root.value };
-    if (!said) q->scenario.anchorage = roots;
+    bool said = !f->root.given || asked->method || asked->curve || asked->table ||
+                !isnan(asked->pull_moment) || !isnan(asked->secant);
+    if (f->root.given && !WF_GIVEN(o, root_stiffness))
+        q->solve.root_stiffness[0] = q->solve.root_stiffness[1] = f->root.value;
+    *roots = *q->scenario.anchorage;
+    if (!said) roots->secant = f->root.value;
+    roots->carried = carried_in(f, NULL);
+    q->scenario.anchorage = roots;
     return WF_OK;
 }
 
@@ -262,7 +275,9 @@ static double moment_at(const struct wf_analysis *an, double height)
 /* The code of what a record says. */
 #define RECORD "record"
 
-static void say_plate(struct wf_diag *d, const struct wf_assess_record *r, const struct wf_analysis *an)
+/* `carried`: the largest moment of the test on the ground [N m]. */
+static void say_plate(struct wf_diag *d, const struct wf_assess_record *r, double carried,
+                      const struct wf_analysis *an)
 {
     double wind = an->at[an->n - 1].base_moment, largest = r->most * 180 / WF_PI;
     if (isnan(r->quarter))
@@ -275,6 +290,10 @@ static void say_plate(struct wf_diag *d, const struct wf_assess_record *r, const
             "%s, %s: 2.5 x %.4g kN m at 0.25 deg over %.4g kN m in the wind: safety against overturning "
             "%.2f",
             r->test, r->sensor, r->quarter / 1e3, wind / 1e3, 2.5 * r->quarter / wind);
+    if (2.5 * r->quarter < carried)
+        wf_diag_warn(d, RECORD,
+                     "%s, %s: that rule is too low for this root, which carried %.4g kN m in the same test",
+                     r->test, r->sensor, carried / 1e3);
     if (largest > 0.26)
         wf_diag_warn(d, RECORD,
                      "%s, %s: it turned by %.2f deg, beyond the 0.25 deg that tests without harm stay below",
@@ -314,18 +333,28 @@ static void say_strain(struct wf_diag *d, const struct wf_assess_record *r, cons
                      r->test, r->sensor, 100 * r->most / limit);
 }
 
-/* What the rope put on the ground at most, beside the wind: needs neither a strength nor a rule. */
-static void say_force(struct wf_diag *d, const struct wf_assess_record *r, const struct wf_analysis *an)
+/* What the rope put on the ground at most, beside the wind and the anchorage: needs neither a strength nor a
+ * rule. */
+static void say_force(struct wf_diag *d, const char *test, double carried, const struct wf_analysis *an)
 {
-    double held = r->force * r->level * r->rope, wind = an->at[an->n - 1].base_moment;
-    if (!(held > 0) || !(wind > 0)) return;
-    wf_diag_warn(
-        d, RECORD,
-        "%s: the largest force of these readings put %.4g kN m on the ground, %.2f times the %.4g kN m in "
-        "the "
-        "wind. A tree that stood it has at least that safety at the ground (a rope bends it otherwise "
-        "than wind does higher up); one that failed by it has no more",
-        r->test, held / 1e3, held / wind, wind / 1e3);
+    const struct wf_anchorage *roots = an->anchorage;
+    double wind = an->at[an->n - 1].base_moment;
+    if (!(carried > 0) || !(wind > 0)) return;
+    wf_diag_warn(d, RECORD,
+                 "%s: the largest force of these readings put %.4g kN m on the ground, %.2f times the %.4g "
+                 "kN m in the wind: in soil as it was then the safety against overturning is at least that",
+                 test, carried / 1e3, carried / wind, wind / 1e3);
+    if (!roots || !roots->method) return;
+    if (roots->by_method < roots->carried)
+        wf_diag_warn(d, RECORD,
+                     "%s: the anchorage is taken as the largest moment that was carried, %.4g kN m, because "
+                     "the %.4g kN m found otherwise are less than the root has held",
+                     test, roots->carried / 1e3, roots->by_method / 1e3);
+    else
+        wf_diag_warn(d, RECORD,
+                     "%s: the anchorage of %.4g kN m is more than was tried: if the tree went over in this "
+                     "test, no more than %.4g kN m hold it",
+                     test, roots->by_method / 1e3, carried / 1e3);
 }
 
 enum wf_status wf_assess_fit_say(const struct wf_assess_fit *f, const struct wf_analysis *an,
@@ -338,12 +367,12 @@ enum wf_status wf_assess_fit_say(const struct wf_assess_fit *f, const struct wf_
         if (f->record[k].in_wind)
             say_wind(d, &f->record[k], an);
         else if (isnan(f->record[k].slope))
-            say_plate(d, &f->record[k], an);
+            say_plate(d, &f->record[k], carried_in(f, f->record[k].test), an);
         else
             say_strain(d, &f->record[k], an);
     for (size_t k = 0; k < f->records; k++)
         if (!f->record[k].in_wind && (!k || strcmp(f->record[k].test, f->record[k - 1].test) != 0))
-            say_force(d, &f->record[k], an);
+            say_force(d, f->record[k].test, carried_in(f, f->record[k].test), an);
     if (!f->records) wf_diag_warn(d, RECORD, "it has no tilt of the root plate, and no strain under a rope");
     if (f->root.given)
         wf_diag_warn(

@@ -8,7 +8,6 @@
 #include "fail/anchorage.h"
 #include "grow/silhouette.h"
 #include "out/verdict_part.h"
-#include "study/directions.h"
 #include "study/interval.h"
 #include "study/peak.h"
 #include "study/verdict.h"
@@ -19,7 +18,8 @@
 #include <string.h>
 
 static double degrees(double rad) { return rad * 180.0 / M_PI; }
-static double compass(double rad) { return fmod(round(degrees(rad)) + 360, 360); }
+/* Where a wind comes from, to a tenth of a degree. */
+static double compass(double rad) { return fmod(round(10 * degrees(rad)) / 10 + 360, 360); }
 
 static void print_number(FILE *to, int width, double x)
 {
@@ -137,17 +137,40 @@ static void print_safeties(FILE *to, const struct wf_assessment *x)
         wf_show(to, "%16s\n", "-");
 }
 
+/* Is a safety less in wind from another direction than the assessment's? */
+static bool is_elsewhere(const struct wf_assessment *x, const struct wf_assess_part *p)
+{
+    return isfinite(p->from) && p->from != x->from;
+}
+
+/* Of which wind the critical wind is, and what is less in wind from elsewhere. */
+static void print_direction(FILE *to, const struct wf_assessment *x)
+{
+    if (!x->directions) return;
+    if (x->one)
+        wf_show(to,
+                "  wind from %.4g deg, as specified: safeties, critical wind and interval are of it alone\n",
+                compass(x->from));
+    else
+        wf_show(
+            to,
+            "  governing direction: wind from %.4g deg, in which the tree is lost first: critical wind and "
+            "interval are of it, safeties the least of all %zu directions\n",
+            compass(x->from), x->directions);
+    if (is_elsewhere(x, &x->breakage))
+        wf_show(to, "    least against breakage in wind from %.4g deg\n", compass(x->breakage.from));
+    if (is_elsewhere(x, &x->overturning))
+        wf_show(to, "    least against overturning in wind from %.4g deg\n", compass(x->overturning.from));
+}
+
 static void print_governing(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_assess_part *p = &an->assessment->breakage;
-    const struct wf_directions_request place = { .north = 0 };
-    if (p->row < 0) return;
-    wf_show(to, "  governing section: %.2f m above the ground, %.3g mm thick; the stem %s there (%s)\n",
-            p->height, 2e3 * an->tree.r0[p->row], wf_criteria[p->criterion].event,
-            wf_criteria[p->criterion].name);
-    if (an->assessment->directions)
-        wf_show(to, "  governing direction: wind from %.0f deg\n",
-                compass(wf_direction_from(&place, an->scenario.azimuth)));
+    if (p->row >= 0)
+        wf_show(to, "  governing section: %.2f m above the ground, %.3g mm thick; the stem %s there (%s)\n",
+                p->height, 2e3 * an->tree.r0[p->row], wf_criteria[p->criterion].event,
+                wf_criteria[p->criterion].name);
+    print_direction(to, an->assessment);
 }
 
 static void print_critical(FILE *to, const struct wf_analysis *an)
@@ -175,20 +198,28 @@ static void print_critical(FILE *to, const struct wf_analysis *an)
 /* What the band of the extremes says of the return period. */
 static void print_band(FILE *to, const struct wf_assessment *x)
 {
-    if (isnan(x->years_low) && x->years_by)
-        wf_show(to, "    how sure that is, is not known: the fit has no band, or one that does not ascend\n");
-    if (isnan(x->years_low)) return;
-    wf_show(to, "    90 %% band of the fit: ");
-    if (!(x->years_low > 0))
-        wf_show(to, "down to less than the shortest return period of the fit");
-    else if (isinf(x->years_low))
-        wf_show(to, "above its longest return period");
-    else
-        wf_show(to, "%.*g", x->years_low < 10 ? 2 : 3, x->years_low);
-    if (isfinite(x->years_low) && isfinite(x->years_high) && x->years_high > 0)
-        wf_show(to, " to %.*g years\n", x->years_high < 10 ? 2 : 3, x->years_high);
-    else
-        wf_show(to, isinf(x->years_low) ? "\n" : " years to more than its longest return period\n");
+    const double low = x->years_low, high = x->years_high;
+    const int low_digits = low < 10 ? 2 : 3, high_digits = high < 10 ? 2 : 3;
+    if (isnan(low)) {
+        if (x->years_by)
+            wf_show(to,
+                    "    how sure that is, is not known: the fit has no band, or one that does not ascend\n");
+    } else if (!(high > 0)) {
+        wf_show(to, "    90 %% band of the fit: less than its shortest return period\n");
+    } else if (isinf(low)) {
+        wf_show(to, "    90 %% band of the fit: more than its longest return period\n");
+    } else if (low > 0 && isfinite(high)) {
+        wf_show(to, "    90 %% band of the fit: %.*g to %.*g years\n", low_digits, low, high_digits, high);
+    } else if (low > 0) {
+        wf_show(to, "    90 %% band of the fit: %.*g years to more than its longest return period\n",
+                low_digits, low);
+    } else if (isfinite(high)) {
+        wf_show(to, "    90 %% band of the fit: less than its shortest return period to %.*g years\n",
+                high_digits, high);
+    } else {
+        wf_show(to,
+                "    90 %% band of the fit: less than its shortest return period to more than its longest\n");
+    }
 }
 
 static void print_years(FILE *to, const struct wf_analysis *an)
@@ -222,7 +253,7 @@ static void print_years(FILE *to, const struct wf_analysis *an)
 static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d, double required)
 {
     for (size_t k = 0; k < n; k++) {
-        wf_show(to, "%7.0f deg", compass(d[k].from));
+        wf_show(to, "%7.4g deg", compass(d[k].from));
         print_safety(to, 7, d[k].breakage.safety, required);
         print_safety(to, 7, d[k].overturning.safety, required);
         if (k % 4 == 3 || k + 1 == n) wf_show(to, "\n");
@@ -256,8 +287,16 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
         wf_show(to, "  %s not assessed: %s%s\n", wf_criteria[c].name, key, why);
     }
     if (wf_verdict_size(an) > 0) wf_show(to, "  size effect not assessed: %s\n", WF_SIZE_UNASSESSED);
-    if (an->anchorage && an->anchorage->method)
-        wf_show(to, "  anchorage %.4g kN m: %s\n", an->anchorage->moment / 1e3, an->anchorage->text);
+    if (wf_verdict_any_soil(an)) wf_show(to, "  kind of soil not assessed: %s\n", WF_SOIL_UNASSESSED);
+    const struct wf_anchorage *roots = an->anchorage;
+    if (!roots || !roots->method) return;
+    wf_show(to, "  anchorage %.4g kN m: %s\n", roots->by_method / 1e3, roots->text);
+    if (roots->by_method < roots->carried)
+        wf_show(
+            to,
+            "    taken is the largest moment of the test instead, %.4g kN m: the root carried it, and may "
+            "carry more\n",
+            roots->carried / 1e3);
 }
 
 /* The wind in which the tree is lost: 0 where it falls without wind; above the search where none was found.

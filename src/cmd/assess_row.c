@@ -100,7 +100,8 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
                               x->low,
                               x->high,
                               found ? c->speed : (double)NAN,
-                              found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN };
+                              found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN,
+                              found ? fmod(x->from * 180 / WF_PI + 360, 360) : (double)NAN };
     for (size_t k = 0; k < WF_COUNT(number); k++) {
         fputc(separator, to);
         if (k < SAFETIES)
@@ -122,7 +123,8 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
 
 #define RESULT(p)                                                                                            \
     p "verdict", p "safety_breakage", p "safety_sound", p "safety_overturning", p "safety_low",              \
-        p "safety_high", p "critical_wind_m_s", p "critical_gust_m_s", p "lost_by"
+        p "safety_high", p "critical_wind_m_s", p "critical_gust_m_s", p "critical_wind_from_deg",           \
+        p "lost_by"
 static const char *const added[] = { "wf_status",
                                      "wf_reason",
                                      RESULT("wf_"),

@@ -11,6 +11,7 @@
 #include "cmd/assess_table.h"
 #include "data/species.h"
 #include "study/assessment.h"
+#include "study/directions.h"
 #include <math.h>
 
 struct work {
@@ -79,7 +80,10 @@ static enum wf_status take_assessment(struct wf_analyze_work *run, struct wf_ana
     const struct wf_assess_often often = wf_assess_often_of(&w->options);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for an assessment");
     if (wf_assess(an, &run->request.solve, w->options.required, &often, out, e)) return e->code;
-    if (w->directions) wf_assess_all_around(out, w->direction, WF_GIVEN(&run->options, azimuth));
+    if (w->directions)
+        wf_assess_all_around(out, w->direction,
+                             wf_direction_from(&run->request.directions, an->scenario.azimuth),
+                             WF_GIVEN(&run->options, azimuth));
     an->assessment = out;
     w->list.grown = an->tallness;
     if (wf_assess_list_run(&w->list, &w->options, &run->arena, an, out, e)) return e->code;

@@ -14,6 +14,7 @@ struct wf_species;
 struct wf_soil {
     const char *name, *text;
     bool known;
+    double held; /* anchorage of pulled conifers per stem mass, over that on freely draining soil [-]; NAN */
     const char
         *others; /* names that mean it, as wf_text_among takes them: English, German, French, Chinese */
 };
@@ -27,6 +28,7 @@ struct wf_anchorage_method {
     double scatter; /* standard deviation of the logarithm of the moment; NAN: not known, or by species */
     bool counts_self_weight; /* the moment includes what the leaning tree's weight adds; else it is the
                                 applied one, and a demand that includes weight is on the safe side */
+    bool any_soil;           /* of trees whose soil is not known: the same number for every kind of soil */
     /* Returned: moment, scatter and text of *out; moment NAN where the method has nothing for this tree.
      * Errors: WF_EINPUT where what is given does not fit. */
     enum wf_status (*find)(const struct wf_anchorage_request *q, const struct wf_tree *t,
@@ -45,6 +47,8 @@ extern const struct wf_anchorage_method wf_anchorage_methods[]; /* ends at name 
 enum wf_status wf_anchorage_find(const struct wf_anchorage_request *q, const struct wf_tree *t,
                                  const struct wf_species *sp, struct wf_arena *a, struct wf_anchorage *out,
                                  struct wf_err *e);
+/* The moment where the method's is a factor larger or smaller: never less than what was carried [N m]. */
+double wf_anchorage_varied(const struct wf_anchorage *q, double factor);
 /* Share of the anchorage that is left in wind that blows towards an azimuth [rad]; 1: nothing was lost. */
 double wf_anchorage_left(const struct wf_anchorage_request *q, double azimuth);
 /* The row of that name; NULL when there is none. */

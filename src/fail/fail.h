@@ -216,8 +216,10 @@ struct wf_anchorage_request {
     double secant;       /* that moment over that angle [N m rad-1] */
     const struct wf_tipping_curve *curve;
     const struct wf_anchorage_table *table;
-    double grown; /* height that the roots grew with, before the top was cut [m]; 0: the tree's */
-    double lost;  /* share of the roots of a sector that is lost since [-] */
+    double carried; /* largest moment on the ground that a test put on the root, which stood it or failed by
+                       it; 0: there was none [N m] */
+    double grown;   /* height that the roots grew with, before the top was cut [m]; 0: the tree's */
+    double lost;    /* share of the roots of a sector that is lost since [-] */
     double lost_middle, lost_half; /* the sector: where its middle lies, from +x towards +y, and half its
                                       width; pi: all around [rad] */
 };
@@ -227,13 +229,18 @@ struct wf_anchorage_request {
 
 /* The anchorage of one tree. */
 struct wf_said;
+struct wf_soil;
 struct wf_anchorage {
     const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
-    double moment;  /* largest moment on the ground that the root carries, as tested or by size, before any of
-                       it is lost [N m]; NAN */
-    double scatter; /* standard deviation of its logarithm; NAN: not known */
-    const char *text; /* what it was computed from; or why overturning is not assessed */
+    double moment; /* largest moment on the ground that the root carries, as tested or by size, before any of
+                      it is lost [N m]; NAN */
+    double by_method, carried;  /* the moment is the larger of the method's and of what a test put on the
+                                   root, 0: nothing [N m] */
+    double scatter;             /* standard deviation of its logarithm; NAN: not known */
+    const char *text;           /* what it was computed from; or why overturning is not assessed */
     const struct wf_said *said; /* the same by parts (base/said.h); NULL: none */
+    const struct wf_soil *soil; /* the kind of soil, where the moment is of trees whose soil is not known;
+                                   NULL: the moment is of the soil that the tree stands in */
 };
 
 /* ---- Strength of branches ---- */

@@ -26,7 +26,8 @@ static const struct {
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
-    { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
+    { FLAG, "from_specified open conifer damping_known staged as_printed converged energy estimated given "
+            "nuisance priors "
             "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree "
             "applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
@@ -65,6 +66,7 @@ static const struct {
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
               "exceedance_a_year exceedance_over_life life_years return_period_low return_period_high "
+              "exceedance_at_low_end "
               "required cut least_reduction least_reduction_cut "
               "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
               "frequency_with_restoring damping_ratio" },
@@ -75,7 +77,8 @@ static const struct {
       "unions above branch branch_diameter above_diameter below_diameter "
       "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
-      "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
+      "verdict anchorage moment moment_by_method moment_carried branches_from critical_gust loss_safety "
+      "thickness_low thickness_high "
       "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
       "stand_spacing stand_height edge_distance gap winter_wind "
@@ -98,13 +101,15 @@ static const struct {
       "wind_factor "
       "wind_profile" },
     { TEXT,
-      "word return_period_bound return_period_by exceedance_a_year_text exceedance_over_life_text "
+      "word return_period_bound return_period_low_bound return_period_high_bound exceedance_at_low_end_text "
+      "return_period_by exceedance_a_year_text exceedance_over_life_text "
       "wants form from_point to_point of stepping term air_density_from averaging_law beaufort beaufort_text "
       "bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
-      "reason reference message model_name species_zh role scope script season sensor sha256 source species_name status "
+      "reason reference message model_name species_zh role scope script season sensor sha256 source "
+      "species_name status "
       "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from "
       "site_kind design safety_criterion "
       "wind_terrain" },

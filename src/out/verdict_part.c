@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/verdict_part.h"
+#include "base/num.h"
 #include "data/model.h"
 #include "fail/anchorage.h"
 #include "out/beside_part.h"
@@ -93,10 +94,16 @@ static json_t *not_assessed(struct wf_doc *d, const struct wf_analysis *a, const
         bool unsaid = c == WF_OVERTURNING && !strcmp(why, WF_ANCHORAGE_UNSAID);
         wf_doc_flag(d, o, "unsaid", unsaid);
     }
-    if (wf_verdict_size(a) > 0) {
+    const struct {
+        bool is;
+        const char *name, *why;
+    } others[] = { { wf_verdict_size(a) > 0, "size-effect", WF_SIZE_UNASSESSED },
+                   { wf_verdict_any_soil(a), "soil", WF_SOIL_UNASSESSED } };
+    for (size_t k = 0; k < WF_COUNT(others); k++) {
+        if (!others[k].is) continue;
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, o, "criterion", "size-effect");
-        wf_doc_text(d, o, "reason", WF_SIZE_UNASSESSED);
+        wf_doc_text(d, o, "criterion", others[k].name);
+        wf_doc_text(d, o, "reason", others[k].why);
         wf_doc_flag(d, o, "unsaid", false);
     }
     return list;
@@ -114,6 +121,9 @@ static json_t *anchorage(struct wf_doc *d, const struct wf_anchorage *q)
     wf_doc_said(d, o, q->said);
     wf_doc_flag(d, o, "counts_self_weight", q->method->counts_self_weight);
     wf_doc_quantity(d, o, "moment", q->moment, "N m", NULL);
+    wf_doc_quantity(d, o, "moment_by_method", q->by_method, "N m", NULL);
+    wf_doc_quantity(d, o, "moment_carried", q->carried > 0 ? q->carried : (double)NAN, "N m",
+                    "no test put a moment on the root");
     wf_doc_number(d, o, "scatter", q->scatter);
     wf_doc_number(d, o, "saturated_low", WF_SATURATED_LOW);
     wf_doc_number(d, o, "saturated_high", WF_SATURATED_HIGH);
@@ -204,6 +214,7 @@ static json_t *safety_part(struct wf_doc *d, const struct wf_assess_part *p)
     wf_doc_quantity(d, o, "safety", p->safety, "1", "not assessed");
     wf_doc_text(d, o, "criterion", isnan(p->safety) ? NULL : wf_criteria[p->criterion].name);
     wf_doc_quantity(d, o, "height", p->height, "m", "no place is known");
+    wf_doc_quantity(d, o, "from", p->from, "rad", "the same from all directions");
     return o;
 }
 
@@ -241,19 +252,36 @@ const char *wf_assess_chance(const struct wf_assessment *x, double p, char text[
     return text;
 }
 
+/* Where a bound of the band of return periods lies; NULL: there is no band. */
+static const char *bound_word(double years)
+{
+    if (isnan(years)) return NULL;
+    return isinf(years) ? "longer" : years > 0 ? "equal" : "shorter";
+}
+
 /* How often the critical wind blows. */
 static void put_often(struct wf_doc *d, json_t *o, const struct wf_assessment *x)
 {
     char text[40];
     bool known = isfinite(x->exceedance);
     wf_doc_text(d, o, "return_period_by", x->years_by);
-    wf_doc_number(d, o, "return_period_low", isfinite(x->years_low) ? x->years_low : (double)NAN);
-    wf_doc_number(d, o, "return_period_high", isfinite(x->years_high) ? x->years_high : (double)NAN);
+    const double band[] = { x->years_low, x->years_high };
+    static const char *const ends[] = { "return_period_low", "return_period_high" };
+    static const char *const bounds[] = { "return_period_low_bound", "return_period_high_bound" };
+    for (size_t k = 0; k < WF_COUNT(band); k++) {
+        wf_doc_number(d, o, ends[k], isfinite(band[k]) && band[k] > 0 ? band[k] : (double)NAN);
+        wf_doc_text(d, o, bounds[k], bound_word(band[k]));
+    }
     wf_doc_number(d, o, "exceedance_a_year", x->exceedance);
     wf_doc_text(d, o, "exceedance_a_year_text", known ? wf_assess_chance(x, x->exceedance, text) : NULL);
     wf_doc_number(d, o, "exceedance_over_life", x->over_life);
     wf_doc_text(d, o, "exceedance_over_life_text", known ? wf_assess_chance(x, x->over_life, text) : NULL);
     wf_doc_number(d, o, "life_years", x->life);
+    bool low = isfinite(x->exceedance_low);
+    const struct wf_assessment end = { .years_most = x->exceedance_low <= 1e-6 };
+    wf_doc_number(d, o, "exceedance_at_low_end", x->exceedance_low);
+    wf_doc_text(d, o, "exceedance_at_low_end_text",
+                low ? wf_assess_chance(&end, x->exceedance_low, text) : NULL);
 }
 
 json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
@@ -277,6 +305,8 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
                 : x->years_least ? "less"
                                  : "equal");
     put_often(d, o, x);
+    wf_doc_quantity(d, o, "from", x->from, "rad", "the same from all directions");
+    wf_doc_flag(d, o, "from_specified", x->one);
     wf_doc_put(d, o, "directions", wf_part_around(d, x->directions, x->direction));
     put_scenarios(d, o, x);
     if (x->record) wf_doc_warnings(d, wf_doc_put(d, o, "record", wf_doc_array(d)), x->record);

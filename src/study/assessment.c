@@ -36,7 +36,7 @@ static double part_height(const struct wf_tree *t, const struct wf_worst *w)
  * more than 1; or by those of the whole tree that lose it. */
 static struct wf_assess_part part_at(const struct wf_tree *t, const struct wf_at_speed *at, bool whole)
 {
-    struct wf_assess_part out = { .safety = NAN, .row = -1, .height = NAN };
+    struct wf_assess_part out = { .safety = NAN, .row = -1, .height = NAN, .from = NAN };
     for (int c = 0; c < WF_CRITERIA; c++) {
         const struct wf_criterion *x = &wf_criteria[c];
         const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
@@ -44,7 +44,7 @@ static struct wf_assess_part part_at(const struct wf_tree *t, const struct wf_at
         if (!counts || !wf_criterion_known(x, t, WF_SCOPE_STEM)) continue;
         double safety = at->status ? 0 : w->safety;
         if (isnan(safety) || out.safety <= safety) continue;
-        out = (struct wf_assess_part){ safety, (enum wf_criterion_id)c, w->row, part_height(t, w) };
+        out = (struct wf_assess_part){ safety, (enum wf_criterion_id)c, w->row, part_height(t, w), NAN };
     }
     return out;
 }
@@ -118,6 +118,7 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
                                                .overturning = part_at(&an.tree, &at, true),
                                                .loss = at.status ? 0 : wf_verdict_safety(&at, NULL),
                                                .lost_by = losers_at(&at) };
+        out[k].breakage.from = out[k].overturning.from = out[k].from;
         for (size_t i = 0; i < an.loads.ties; i++) out[k].tie[i] = at.status ? (double)NAN : at.tie[i];
         for (size_t i = 0; i < an.loads.links; i++) out[k].link[i] = at.status ? (double)NAN : at.link[i];
         /* in one direction the elastic limit may be nearest, in another what loses the tree */
@@ -255,6 +256,7 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
                                    .wet_high = at->worst[WF_OVERTURNING_WET][WF_SCOPE_STEM].safety,
                                    .low = NAN,
                                    .high = NAN,
+                                   .from = NAN,
                                    .reduction = NAN };
     if (an->interval) {
         const struct wf_interval_at *i = &an->interval->at[an->interval->winds - 1];
@@ -268,21 +270,33 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
     return WF_OK;
 }
 
-/* The least of a safety over all directions. */
-static void take_least(struct wf_assess_part *own, const struct wf_assess_part *other)
+/* The least of a safety over all directions. Another direction is named where it is less by more than the
+ * solution's error and what the mirror image of a direction differs by. */
+static struct wf_assess_part least_of(const struct wf_assess_part *own, size_t n,
+                                      const struct wf_assess_direction *d, bool whole)
 {
-    if (other->safety < own->safety) *own = *other;
+    const double alike = 5e-3;
+    struct wf_assess_part least = *own;
+    for (size_t k = 0; k < n; k++) {
+        const struct wf_assess_part *other = whole ? &d[k].overturning : &d[k].breakage;
+        if (other->safety < least.safety) least = *other;
+    }
+    if (!(least.safety < own->safety * (1 - alike))) least.from = own->from;
+    return least;
 }
 
-void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, bool one)
+void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, double from,
+                          bool one)
 {
     const double before = fmin(x->breakage.safety, x->overturning.safety), fell = x->overturning.safety;
     const bool full = x->sound <= x->breakage.safety;
+    const size_t n = WF_ASSESS_DIRECTIONS, counted = one ? 0 : n;
     bool lost = x->word == WF_ASSESS_LOST;
-    x->directions = WF_ASSESS_DIRECTIONS, x->direction = direction;
-    for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !one; k++) {
-        take_least(&x->breakage, &direction[k].breakage);
-        take_least(&x->overturning, &direction[k].overturning);
+    x->directions = n, x->direction = direction, x->from = from, x->one = one;
+    x->breakage.from = x->overturning.from = from;
+    x->breakage = least_of(&x->breakage, counted, direction, false);
+    x->overturning = least_of(&x->overturning, counted, direction, true);
+    for (size_t k = 0; k < counted; k++) {
         lost = lost || direction[k].loss <= 1;
         x->lost_by |= direction[k].lost_by;
     }

@@ -43,6 +43,8 @@ struct wf_assess_part {
     enum wf_criterion_id criterion;
     int32_t row;   /* -1: none */
     double height; /* of the place above the ground [m] */
+    double from;   /* where the wind comes from in which it is the least, clockwise from north [rad]; NAN: the
+                      same from all directions */
 };
 
 struct wf_assess_direction {
@@ -78,6 +80,10 @@ struct wf_assessment {
     double exceedance_low;  /* in a year, of the low end of the critical wind's interval [-]; NAN */
     size_t directions;      /* 0: the same from all */
     const struct wf_assess_direction *direction;
+    double from; /* where the wind of the analysis comes from, of which the critical wind and the interval
+                    are: that in which the tree is lost first, or that was specified; clockwise from north
+                    [rad]; NAN: the same from all */
+    bool one;    /* it was specified, and counts alone */
     size_t scenarios;
     const struct wf_beside *scenario; /* the tree with something changed, in the same wind unless that is */
     double reduction;     /* least share of the crown's height and width off that makes it safe enough [-];
@@ -117,10 +123,12 @@ struct wf_assess_often {
 enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
                          const struct wf_assess_often *often, struct wf_assessment *out, struct wf_err *e);
 
-/* Give an assessment its directions, which outlive it. The analysis is that of the direction in which the
- * tree is lost first; the safeties become the least of all directions, those in saturated soil and the
- * interval go with them, and the word follows. `one`: a direction was specified, and counts alone. */
-void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, bool one);
+/* Give an assessment its directions, which outlive it. The analysis is that of wind from the direction `from`
+ * [rad], in which the tree is lost first; the safeties become the least of all directions, those in saturated
+ * soil and the interval go with them, and the word follows. `one`: a direction was specified, and counts
+ * alone. */
+void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, double from,
+                          bool one);
 
 #ifdef __cplusplus
 }

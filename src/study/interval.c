@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "data/species.h"
+#include "fail/anchorage.h"
 #include "fail/crossing.h"
 #include "study/node.h"
 #include "study/peak.h"
@@ -72,7 +73,9 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
     peak->damping *= s->copy.damping;
     peak->branches = false; /* stem and root are of the whole tree's state */
     s->an.loads.wind_scale *= s->copy.load;
-    s->an.tree.anchorage *= s->copy.anchorage;
+    if (wf_interval_rooted(&s->an))
+        s->an.tree.anchorage *=
+            wf_anchorage_varied(s->an.anchorage, s->copy.anchorage) / s->an.anchorage->moment;
     return WF_OK;
 }
 

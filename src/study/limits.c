@@ -4,6 +4,7 @@
 #include "data/model.h"
 #include "data/section.h"
 #include "data/species.h"
+#include "fail/anchorage.h"
 #include "load/drag.h"
 #include "study/analysis.h"
 #include "study/verdict.h"
@@ -203,6 +204,21 @@ static void check_size(const struct wf_analysis *an, struct wf_diag *d)
             100 * (1 - pow(small / diameter, power)));
 }
 
+/* Anchorage of other trees on a soil that none of them is known to have stood on. */
+static void check_soil(const struct wf_analysis *an, struct wf_diag *d)
+{
+    if (!wf_verdict_any_soil(an)) return;
+    const struct wf_soil *soil = an->anchorage->soil;
+    if (!soil->known || soil->held == 1) return;
+    wf_diag_warn(
+        d, "anchorage-soil",
+        "%s: the anchorage, %.4g kN m, is that of other trees, none of which is known to have stood on %s: "
+        "it may be too strong. Of one stem mass, conifers pulled in Britain held %.2f times as much there "
+        "as on freely draining mineral soil (ForestGALES' table after Nicoll et al. 2006), which only "
+        "widens the interval here; of broadleaves nothing was read. A pulling test says more",
+        an->species->name, an->anchorage->moment / 1e3, soil->text, soil->held);
+}
+
 /* Diaphragms that are counted, and by how much where the wall is nearest to splitting or flattening. */
 static void check_diaphragms(const struct wf_analysis *an, struct wf_diag *d)
 {
@@ -389,6 +405,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_corridor(an, d);
     check_unverified(an, d);
     check_size(an, d);
+    check_soil(an, d);
     check_diaphragms(an, d);
     check_twig(an, d);
     check_as_printed(an, d);

@@ -103,6 +103,11 @@ double wf_verdict_size(const struct wf_analysis *an)
     return largest > WF_SIZE_FROM ? largest : 0;
 }
 
+bool wf_verdict_any_soil(const struct wf_analysis *an)
+{
+    return an->anchorage && an->anchorage->method && an->anchorage->soil;
+}
+
 /* ---- Branches ---- */
 
 static double thickness(const struct wf_tree *t, size_t i) { return 2 * fmax(t->r0[i], t->r1[i]); }

@@ -42,6 +42,11 @@ const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_
  * that the effect of size on strength, which is not computed, may matter [m]; 0: it is not. */
 double wf_verdict_size(const struct wf_analysis *an);
 
+#define WF_SOIL_UNASSESSED                                                                                   \
+    "the anchorage is the same for every kind of soil: that of other trees, whose soils were not read"
+/* Is the anchorage one that the kind of soil does not change? */
+bool wf_verdict_any_soil(const struct wf_analysis *an);
+
 /* Branches by thickness, from an->search.branches_from on, each class twice as thick as the one before. */
 enum { WF_BRANCH_CLASSES = 6 };
 struct wf_branch_class {
