@@ -96,9 +96,11 @@
           <xsl:call-template name="scenario-name"/>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="breakage/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+            <xsl:with-param name="bound" select="ancestor::*[assessment][1]/assessment/required"/>
           </xsl:call-template>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="overturning/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+            <xsl:with-param name="bound" select="ancestor::*[assessment][1]/assessment/required"/>
           </xsl:call-template>
           <xsl:if test="$listed">
             <xsl:call-template name="cell">

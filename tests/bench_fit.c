@@ -46,7 +46,7 @@ static double solutions(struct set *s)
         struct wf_solve_options o = s->tree.options;
         wind.speed = k ? s->state[k - 1].load : 0;
         l.wind = &wind, o.mesh_tolerance = 0;
-        if (wf_beam_solve(t, &l, &o, NULL, NULL, &work, &work, &b, &out, &s->err)) fail_msg("%s", s->err.text);
+        if (wf_beam_solve(t, &l, &o, NULL, &work, &work, &b, &out, &s->err)) fail_msg("%s", s->err.text);
         wf_arena_free(&work);
     }
     return now() - from;

@@ -133,6 +133,7 @@ static enum wf_status begin_table(struct table *t, const char *note, struct wf_e
     if (!(t->to = fopen(t->partial, "wb"))) return out_error(t, e);
     enum wf_status s = write_note(t, note, e);
     if (s) return s;
+    if (t->rows.marked) fputs("\xEF\xBB\xBF", t->to); /* by which spreadsheets know UTF-8 */
     wf_tree_header_write(t->columns, t->before, t->to);
     return WF_OK;
 }
@@ -380,6 +381,16 @@ static enum wf_status finish(struct table *t, struct wf_err *e)
     return WF_OK;
 }
 
+/* A table of a header alone: nothing is written. */
+static enum wf_status no_trees(struct table *t, struct wf_err *e)
+{
+    (void)fclose(t->to), t->to = NULL;
+    (void)unlink(t->partial), (void)unlink(t->note);
+    return wf_fail(e, WF_EINPUT,
+                   "%s: there is no row below the header: nothing was assessed, nothing written",
+                   t->rows.file);
+}
+
 static enum wf_status read_extremes(struct table *t, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &t->arena };
@@ -436,7 +447,10 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     if (!s) s = wf_input_file_note("table", file, &t->arena, &t->input, e);
     const char *note = s ? NULL : note_text(t, command, e);
     if (s || !note) return e->code;
+    if (t->rows.utf16 && !t->line->run.args.quiet)
+        wf_show(stderr, "%s: UTF-16; it is read, and the new table written, as UTF-8\n", file);
     if (!t->line->run.args.quiet) wf_tree_columns_say(t->columns, &t->arena);
+    if ((s = wf_tree_columns_check(t->columns, e))) return s;
     wf_interrupt_catch();
     wf_progress_watch(NULL);
     keep_memory();
@@ -452,6 +466,7 @@ static enum wf_status run(struct table *t, const char *file, const char *command
                 "kept, and a spreadsheet may "
                 "compute them\n",
                 t->formulas, t->first_formula);
+    if (!s && !(t->done + t->mistakes + t->failed)) s = no_trees(t, e);
     if (!s) s = finish(t, e);
     return s || !t->line->run.pages.xlsx ? s : write_workbook(t, e);
 }

@@ -115,7 +115,8 @@ static bool torsion_known(const struct wf_tree *t, size_t i)
 static double torsion_stress(const struct wf_tree *t, size_t i, double s, const struct wf_section_load *l)
 {
     (void)s;
-    return hypot(l->stress, l->twist * t->strength[i] / t->shearing[i]);
+    const double twist = l->twist * t->strength[i] / t->shearing[i];
+    return sqrt(l->stress * l->stress + twist * twist);
 }
 
 /* ---- Walls of hollow sections ---- */

@@ -154,11 +154,12 @@ static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near,
 /* The first of the meshes, and its solution: half as fine as that of `from`, from whose shape Newton's method
  * converges there soon or not at all, else the same; without it the first mesh. */
 static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads *l,
-                                  const struct wf_solve_options *o, const struct wf_beam *from,
-                                  const struct wf_beam *near, struct two_meshes *m, int32_t *pieces,
-                                  struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
+                                  const struct wf_solve_options *o, const struct wf_beam_known *known,
+                                  struct two_meshes *m, int32_t *pieces, struct wf_beam *b,
+                                  struct wf_beam_outcome *out, struct wf_err *e)
 {
     enum { SOON = 12 };
+    const struct wf_beam *const from = known->from, *const near = known->near;
     const int32_t first = wf_beam_first_pieces(t, o);
     struct wf_solve_options soon = *o;
     soon.iterations_max = SOON;
@@ -182,18 +183,30 @@ static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads
     return settle_near(b, near, &m->newton, out, e);
 }
 
+/* At least as many pieces a row as a mesh has, unless that takes more than `most` times the elements: from a
+ * mesh much coarser Newton's method starts too far away. */
+static void join_pieces(const struct wf_beam_mesh *good, double most, int32_t *pieces)
+{
+    double now = 0, joined = 0;
+    for (size_t i = 0; i < good->tree->n; i++)
+        now += pieces[i], joined += fmax(pieces[i], wf_beam_pieces(good, i));
+    for (size_t i = 0; i < good->tree->n && joined <= most * now; i++)
+        pieces[i] = (int32_t)fmax(pieces[i], wf_beam_pieces(good, i));
+}
+
 static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,
-                                      const struct wf_solve_options *o, const struct wf_beam *from,
-                                      const struct wf_beam *near, struct wf_arena *work, struct two_meshes *m,
-                                      struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
+                                      const struct wf_solve_options *o, const struct wf_beam_known *known,
+                                      struct wf_arena *work, struct two_meshes *m, struct wf_beam *b,
+                                      struct wf_beam_outcome *out, struct wf_err *e)
 {
     enum { MESHES = 6 };
+    const double slightly = 1.25;
     struct wf_beam_check check;
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     struct wf_solve_options compared = *o; /* this mesh's solution is not the answer */
     compared.tolerance = fmax(o->tolerance, 0.01 * o->mesh_tolerance);
-    enum wf_status status = solve_first(t, l, &compared, from, near, m, pieces, b, out, e);
+    enum wf_status status = solve_first(t, l, &compared, known, m, pieces, b, out, e);
     b->options = o;
     if (status || !(o->mesh_tolerance > 0)) return status;
 
@@ -201,6 +214,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     if (status) return status;
     wf_beam_row_loads(b, check.before);
     for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
+    if (known->good) join_pieces(known->good, slightly, pieces);
     for (int mesh = 1; mesh < MESHES; mesh++) {
         struct wf_beam fine;
         struct wf_beam_outcome again;
@@ -211,7 +225,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
         status = wf_beam_init(&fine, t, l, o, pieces, &m->shape, &m->newton, e);
         if (status) return status;
         wf_beam_carry(b, &fine);
-        status = settle_near(&fine, near, &m->newton, &again, e);
+        status = settle_near(&fine, known->near, &m->newton, &again, e);
         if (status || again.beyond_limit) *out = again;
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
@@ -224,12 +238,13 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
 }
 
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, const struct wf_beam *from,
-                             const struct wf_beam *near, struct wf_arena *work, struct wf_arena *newton,
-                             struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
+                             const struct wf_solve_options *o, const struct wf_beam_known *known,
+                             struct wf_arena *work, struct wf_arena *newton, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e)
 {
+    static const struct wf_beam_known nothing;
     struct two_meshes m = { 0 };
-    enum wf_status status = solve_on_meshes(t, l, o, from, near, work, &m, b, out, e);
+    enum wf_status status = solve_on_meshes(t, l, o, known ? known : &nothing, work, &m, b, out, e);
     wf_arena_free(&m.before);
     wf_arena_join(work, &m.shape);
     wf_arena_join(newton, &m.newton);
@@ -264,7 +279,7 @@ static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads 
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     if (status) return status;
     status = wf_solve_check(t, l, d, e);
-    if (!status) status = wf_beam_solve(t, l, o, NULL, NULL, &work, &work, &b, &out, e);
+    if (!status) status = wf_beam_solve(t, l, o, NULL, &work, &work, &b, &out, e);
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;
     if (!status) wf_beam_warn(&b, &out, d);

@@ -11,16 +11,23 @@
 extern const struct wf_solver wf_solver_beam;   /* large deflections, loads on the deformed shape */
 extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the undeformed shape */
 
-/* Equilibrium on a mesh that meets options->mesh_tolerance. Given: tree, loads, options; `from`, a solved
- * beam of the same tree whose mesh and shape are begun with (NULL: the first mesh, unloaded); `near` (NULL:
- * none), one whose shape is tried where Newton's method stalls, before load steps; the memory of *b is taken
- * from `work`, that of what Newton's method works with, two thirds of it, from `newton`, which may be `work`.
- * Returned: as wf_beam_settle; *out tells how the full load was reached. Method: the first meshes differ by a
- * factor 2; each row is then refined by its own share of the estimated error. */
+/* What is known of the same tree at other loads; each may be NULL. */
+struct wf_beam_known {
+    const struct wf_beam *from;      /* a solution whose mesh and shape are begun with; else the first mesh,
+                                        unloaded */
+    const struct wf_beam *near;      /* one whose shape is tried where Newton's method stalls */
+    const struct wf_beam_mesh *good; /* a mesh that met the tolerance */
+};
+
+/* Equilibrium on a mesh that meets options->mesh_tolerance. Given: tree, loads, options; what is known (NULL:
+ * nothing); the memory of *b is taken from `work`, that of what Newton's method works with, two thirds of it,
+ * from `newton`, which may be `work`. Returned: as wf_beam_settle; *out tells how the full load was reached.
+ * Method: the first meshes differ by a factor 2, the second taking the pieces of what was good at other loads
+ * where these are few more; each row is then refined by its own share of the estimated error. */
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, const struct wf_beam *from,
-                             const struct wf_beam *near, struct wf_arena *work, struct wf_arena *newton,
-                             struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e);
+                             const struct wf_solve_options *o, const struct wf_beam_known *known,
+                             struct wf_arena *work, struct wf_arena *newton, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e);
 /* Fill the columns of the response, which is allocated for the tree's rows, from a solved beam. */
 void wf_beam_read(const struct wf_beam *b, struct wf_response *r);
 /* Parts of a response: displacement, rotation and tangents of row i from the rotation of its base and the

@@ -229,16 +229,18 @@ static double allowed_error(const struct wf_beam *b, double tolerance)
 bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
                          int32_t *pieces)
 {
-    const double safety = 0.25;
+    /* a mesh is chosen for a quarter of the tolerance, so that one more is seldom solved, and taken with half
+     * of it: the rest is the estimate's own error */
+    const double aim = 0.25, enough = 2;
     const struct wf_tree *t = fine->mesh.tree;
-    double allowed = fine->options->mesh_tolerance * safety;
+    double allowed = fine->options->mesh_tolerance * aim;
     double target = allowed_error(fine, allowed);
     double error = beam_mesh_error(coarse, fine, c->reach, c->share);
     double reactions = load_error(coarse, fine, c->before, c->load, c->bear);
     memcpy(c->before, c->load, 3 * t->n * sizeof *c->load);
     const size_t tip = wf_tip_row(t);
     bool turns = tip_lack(coarse, fine, tip) <= 1;
-    if (error <= target && reactions <= allowed && turns) return true;
+    if (error <= enough * target && reactions <= enough * allowed && turns) return true;
     double off = reactions / allowed, more = off > 1 ? fmax(shorter(off), 2) : 1;
     (void)choose_pieces(fine, fine, c->share, target / c->depth, c->bear, more, pieces);
     if (!turns) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));

@@ -273,7 +273,7 @@ static void solve_alone(const struct wf_tree *t, const struct wf_solve_options *
     struct wf_arena work = { 0 };
     struct wf_beam b;
     struct wf_beam_outcome out = { .load_factor = 0 };
-    x->status = wf_beam_solve(t, x->loads, o, NULL, NULL, &work, &work, &b, &out, &x->why);
+    x->status = wf_beam_solve(t, x->loads, o, NULL, &work, &work, &b, &out, &x->why);
     if (!x->status) {
         wf_beam_read(&b, &x->response);
         x->loose = b.loose;

@@ -33,8 +33,8 @@ struct wf_track {
     struct wf_wind wind; /* of the beam's loads after a solution: the caller's does not outlive it */
     double speed;        /* of the wind of the last solution [m/s] */
     size_t solutions;    /* on this mesh */
-    size_t good;         /* so many wind speeds at which it met the tolerance: */
-    double good_at[GOOD];
+    size_t good;         /* so many winds of one direction in which it met the tolerance: */
+    double good_at[GOOD], good_along[3];
     bool at_last;                         /* begin at the last form of `like` */
     bool solved, rested;                  /* there is a last form, a form at rest */
     struct form last, lead, rest, before; /* before: the last one while the next is tried */
@@ -208,6 +208,25 @@ static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, co
     return s ? s : take_forms(k, e);
 }
 
+/* The speed of a wind with the same load on a stiff tree [m/s]. */
+static double pace_of(const struct wf_loads *l) { return wind_of(l) * sqrt(l->wind_scale); }
+
+/* Does the wind blow along that of which the mesh is known to be good? */
+static bool blows_so(const struct wf_track *k, const struct wf_loads *l)
+{
+    const double same = 1 - 1e-6;
+    return k->good && l->wind && wf_dot(k->good_along, l->wind->direction) > same;
+}
+
+/* The mesh meets the tolerance at these loads. */
+static void note_good(struct wf_track *k, const struct wf_loads *l)
+{
+    if (!l->wind) return;
+    if (!blows_so(k, l)) k->good = 0;
+    memcpy(k->good_along, l->wind->direction, sizeof k->good_along);
+    if (k->good < GOOD) k->good_at[k->good++] = pace_of(l);
+}
+
 /* Begin on the mesh of another track of the same tree, from its form at rest. */
 static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
 {
@@ -216,6 +235,9 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
     const struct form *from = k->at_last ? &k->like->last : k->like->rested ? &k->like->rest : NULL;
     if (from) put_back(k, *from);
     keep(k, k->last);
+    k->good = k->like->good;
+    memcpy(k->good_at, k->like->good_at, sizeof k->good_at);
+    memcpy(k->good_along, k->like->good_along, sizeof k->good_along);
     k->rested = k->like->rested && !k->at_last;
     if (k->rested) keep(k, k->rest);
     k->speed = k->at_last ? k->like->speed : 0;
@@ -267,8 +289,9 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->stations = 0;
     k->solutions = 1, k->good = 0;
     if (from == &k->beam) from = &before.beam;
+    const struct wf_beam_known known = { from, from, before.solved ? &before.beam.mesh : NULL };
     enum wf_status s =
-        wf_beam_solve(k->tree, l, &k->options, from, from, &k->work, &k->work, &k->beam, &k->outcome, e);
+        wf_beam_solve(k->tree, l, &k->options, &known, &k->work, &k->work, &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
     if (!s) carry_forms(k, &before);
     wf_arena_free(&before.work);
@@ -320,7 +343,7 @@ static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, s
     bool further = !s && wf_beam_finish(b);
     if (!s) s = wf_beam_mesh_meets(b, k->options.mesh_tolerance, &meets, pieces, e);
     if (!s && !meets) s = refine(k, l, pieces, e);
-    if (!s && meets && l->wind && k->good < GOOD) k->good_at[k->good++] = l->wind->speed;
+    if (!s && meets) note_good(k, l);
     if (!s && meets && further) put_back(k, k->before), wf_beam_sweep_up(b);
     wf_arena_free(&scratch);
     return s;
@@ -479,14 +502,14 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
 
 /* Is the next solution to be compared with one on a finer mesh? Every fourth is, unless the mesh was found
- * good near its wind speed, or below and above it and neither far. */
-static bool check_is_due(const struct wf_track *k, double speed)
+ * good in nearly this wind, or in winds below and above it and neither far. */
+static bool check_is_due(const struct wf_track *k, const struct wf_loads *l)
 {
     enum { CHECKED = 4 };
-    const double far = 3;
+    const double far = 3, speed = pace_of(l);
     bool below = false, above = false;
     if (keeps_mesh(k) || (k->solutions + 1) % CHECKED) return false;
-    for (size_t i = 0; i < k->good && speed > 0; i++) {
+    for (size_t i = 0; blows_so(k, l) && i < k->good && speed > 0; i++) {
         const double at = k->good_at[i];
         if (apart(at, speed) <= log(WF_TRACK_NEAR)) return false;
         below = below || (at < speed && speed <= far * at);
@@ -503,7 +526,7 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     struct wf_beam *b = &k->beam;
     struct wf_arena scratch = { 0 };
     enum wf_status s = WF_OK;
-    const bool due = check_is_due(k, wind_of(l));
+    const bool due = check_is_due(k, l);
     double from = put_start(k, l, start, !tried);
     b->iterations = b->steps = 0;
     k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
@@ -588,7 +611,7 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
     bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), WF_TRACK_NEAR)), done = false;
-    bool soon = on && side && !start->alone && !check_is_due(k, wind_of(l));
+    bool soon = on && side && !start->alone && !check_is_due(k, l);
     if (soon) s = solve_soon(k, l, side, start, a, out, &done, e);
     if (s) return s;
     if (!done) s = on ? go_on(k, l, start, soon, e) : begin(k, l, start->other, e);

@@ -140,7 +140,7 @@ enum wf_status wf_unload(const struct wf_tree *t, const struct wf_loads *l, cons
     for (int pass = 0; pass < PASSES && !status; pass++) {
         struct wf_beam b;
         struct wf_beam_outcome fell;
-        status = wf_beam_solve(out, &weight, o, NULL, NULL, &work, &work, &b, &fell, e);
+        status = wf_beam_solve(out, &weight, o, NULL, &work, &work, &b, &fell, e);
         if (!status) {
             *left = correct(t, &b, out);
             if (*left <= 1e-9 * size || *left > 0.9 * before)

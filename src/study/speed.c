@@ -316,8 +316,9 @@ static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_s
     enum wf_status s = wf_response_alloc(r, an->tree.n, a, e);
     if (!s) s = wf_solve_check(&an->tree, l, d, e);
     if (s) return s;
-    s = wf_beam_solve(&an->tree, l, o, NULL, last->solved ? &last->beam : NULL, &now.memory, &newton,
-                      &now.beam, &how, e);
+    const struct wf_beam_known known = { .near = &last->beam, .good = &last->beam.mesh };
+    s = wf_beam_solve(&an->tree, l, o, last->solved ? &known : NULL, &now.memory, &newton, &now.beam, &how,
+                      e);
     now.solved = !s;
     r->load_factor = how.load_factor;
     if (!s) wf_beam_read(&now.beam, r);
