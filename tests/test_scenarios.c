@@ -107,7 +107,7 @@ static void least_reduction(void **state)
           "$1, $NF }'",
           CODE_OK,
           { "least reduction of the crown for a safety of 1.5: 15 % of its height and width, 26 % of its "
-            "area\nreduce=13% insufficient\nreduce=17% uncertain\n" } },
+            "area\nreduce=13% insufficient\nreduce=17% incomplete\n" } },
     };
     CHECK(rows);
 }
