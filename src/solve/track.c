@@ -290,11 +290,8 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->solutions = 1, k->good = 0;
     if (from == &k->beam) from = &before.beam;
     const struct wf_beam_known known = { from, from, before.solved ? &before.beam.mesh : NULL };
-    struct wf_solve_options close = k->options; /* meshes are compared: what is left is not to be seen */
-    close.tolerance = fmin(close.tolerance, 0.1 * close.mesh_tolerance);
     enum wf_status s =
-        wf_beam_solve(k->tree, l, &close, &known, &k->work, &k->work, &k->beam, &k->outcome, e);
-    k->beam.options = &k->options;
+        wf_beam_solve(k->tree, l, &k->options, &known, &k->work, &k->work, &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
     if (!s) carry_forms(k, &before);
     wf_arena_free(&before.work);

@@ -442,12 +442,12 @@ static bool settled(const struct search *q, const struct wf_solve_options *quick
     return left <= fine->mesh_tolerance * now;
 }
 
-/* Options of the solutions with slopes that a crossing is taken from: the step that gives the slopes squares
- * what Newton's method leaves. */
+/* Options of the solutions with slopes that a crossing is taken from: what Newton's method leaves is squared
+ * by the step that gives the slopes, and need not be less than the mesh's error before. */
 static struct wf_solve_options polished(const struct wf_solve_options *fine)
 {
     struct wf_solve_options out = *fine;
-    out.tolerance = fmax(fine->tolerance, fmin(sqrt(fine->mesh_tolerance), 1e-3));
+    out.tolerance = fmax(fine->tolerance, fmin(sqrt(fine->tolerance), 0.1 * fine->mesh_tolerance));
     return out;
 }
 
