@@ -10,22 +10,26 @@
     <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></td>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="$now"/>
+      <xsl:with-param name="bound" select="assessment/required"/>
       <xsl:with-param name="pattern">0.00</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="$sound"/>
+      <xsl:with-param name="bound" select="assessment/required"/>
       <xsl:with-param name="pattern">0.00</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="assessment/required"/>
-      <xsl:with-param name="pattern">0.00</xsl:with-param>
+      <xsl:with-param name="pattern">0.00####</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="$low"/>
+      <xsl:with-param name="bound" select="assessment/required"/>
       <xsl:with-param name="pattern">0.00</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="$high"/>
+      <xsl:with-param name="bound" select="assessment/required"/>
       <xsl:with-param name="pattern">0.00</xsl:with-param>
     </xsl:call-template>
   </tr>
@@ -129,10 +133,12 @@
           </xsl:call-template>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="breakage/value"/>
+            <xsl:with-param name="bound" select="../../required"/>
             <xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>
           <xsl:call-template name="cell">
             <xsl:with-param name="x" select="overturning/value"/>
+            <xsl:with-param name="bound" select="../../required"/>
             <xsl:with-param name="pattern">0.00</xsl:with-param>
           </xsl:call-template>
         </tr>

@@ -75,6 +75,7 @@
     <td><xsl:call-template name="criterion-name"/></td>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="$at/safety/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+      <xsl:with-param name="bound" select="required_safety/value"/>
     </xsl:call-template>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="required_safety/value"/></xsl:call-template>
     <xsl:choose>

@@ -51,17 +51,19 @@
     <td class="r">
       <b><xsl:call-template name="fixed">
         <xsl:with-param name="x" select="$safety"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+        <xsl:with-param name="bound" select="$required"/>
       </xsl:call-template>
       <xsl:if test="$high != ''">
         <xsl:text>–</xsl:text>
         <xsl:call-template name="fixed">
           <xsl:with-param name="x" select="$high"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          <xsl:with-param name="bound" select="$required"/>
         </xsl:call-template>
       </xsl:if></b>
     </td>
     <td class="r">
       <xsl:call-template name="fixed">
-        <xsl:with-param name="x" select="$required"/><xsl:with-param name="pattern">0.0#</xsl:with-param>
+        <xsl:with-param name="x" select="$required"/><xsl:with-param name="pattern">0.0#####</xsl:with-param>
       </xsl:call-template>
     </td>
     <td><xsl:copy-of select="$where"/></td>
@@ -354,9 +356,13 @@
         <xsl:with-param name="text">
           <xsl:call-template name="say">
             <xsl:with-param name="id">fp.least.text</xsl:with-param>
-            <xsl:with-param name="a" select="format-number(assessment/low, '0.00')"/>
+            <xsl:with-param name="a"><xsl:call-template name="fixed">
+              <xsl:with-param name="x" select="assessment/low"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+              <xsl:with-param name="bound" select="assessment/required"/>
+            </xsl:call-template></xsl:with-param>
             <xsl:with-param name="b"><xsl:call-template name="fixed">
               <xsl:with-param name="x" select="assessment/high"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+              <xsl:with-param name="bound" select="assessment/required"/>
             </xsl:call-template></xsl:with-param>
           </xsl:call-template>
         </xsl:with-param>

@@ -75,10 +75,11 @@
 </xsl:template>
 
 <xsl:template name="cell">
-  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/><xsl:param name="bound"/>
   <td class="r">
     <xsl:call-template name="fixed">
       <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+      <xsl:with-param name="bound" select="$bound"/>
     </xsl:call-template>
   </td>
 </xsl:template>

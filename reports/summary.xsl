@@ -211,7 +211,10 @@
         </xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="d">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="safety/value"/>
+          <xsl:with-param name="bound" select="ancestor::*[assessment][1]/assessment/required"/>
+        </xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
@@ -226,7 +229,10 @@
         </xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="d">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="safety/value"/>
+          <xsl:with-param name="bound" select="ancestor::*[assessment][1]/assessment/required"/>
+        </xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
@@ -248,7 +254,10 @@
         </xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="d">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="safety/value"/>
+          <xsl:with-param name="bound" select="ancestor::*[assessment][1]/assessment/required"/>
+        </xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="e"><xsl:for-each select="../.."><xsl:call-template name="criterion-name"/></xsl:for-each></xsl:with-param>
     </xsl:call-template>
@@ -261,7 +270,10 @@
         <xsl:with-param name="x" select="100 div $root/safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
       </xsl:call-template></xsl:with-param>
       <xsl:with-param name="b">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="$root/safety/value"/></xsl:call-template>
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="$root/safety/value"/>
+          <xsl:with-param name="bound" select="$root/ancestor::*[assessment][1]/assessment/required"/>
+        </xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>

@@ -73,13 +73,40 @@
   </xsl:choose>
 </xsl:template>
 
-<!-- A number with a fixed number of decimals, a real minus sign; a dash where there is none. -->
+<!-- A pattern by which a safety stands on the side of 1, and of what is required, that it is on: 1.497 and not 1.50. -->
+<xsl:template name="safety-pattern">
+  <xsl:param name="x"/><xsl:param name="bound"/><xsl:param name="pattern" select="'0.00'"/>
+  <xsl:variable name="shown" select="number(format-number($x, $pattern))"/>
+  <xsl:variable name="same" select="($x &lt; $bound) = ($shown &lt; $bound) and ($x &gt; 1) = ($shown &gt; 1)"/>
+  <xsl:choose>
+    <xsl:when test="$same or string-length($pattern) &gt; 9"><xsl:value-of select="$pattern"/></xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="safety-pattern">
+        <xsl:with-param name="x" select="$x"/><xsl:with-param name="bound" select="$bound"/>
+        <xsl:with-param name="pattern" select="concat($pattern, '0')"/>
+      </xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- A number with a fixed number of decimals, a real minus sign; a dash where there is none. "bound": of a safety, the required one. -->
 <xsl:template name="fixed">
-  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/><xsl:param name="bound"/>
   <xsl:choose>
     <xsl:when test="string(number($x)) = 'NaN'">–</xsl:when>
     <xsl:otherwise>
-      <xsl:variable name="text" select="format-number($x, $pattern)"/>
+      <xsl:variable name="digits">
+        <xsl:choose>
+          <xsl:when test="$bound != '' and $x &lt; 100">
+            <xsl:call-template name="safety-pattern">
+              <xsl:with-param name="x" select="$x"/><xsl:with-param name="bound" select="$bound"/>
+              <xsl:with-param name="pattern" select="$pattern"/>
+            </xsl:call-template>
+          </xsl:when>
+          <xsl:otherwise><xsl:value-of select="$pattern"/></xsl:otherwise>
+        </xsl:choose>
+      </xsl:variable>
+      <xsl:variable name="text" select="format-number($x, $digits)"/>
       <xsl:if test="$units"><xsl:value-of select="concat('&#xE000;', $x, '&#xE001;')"/></xsl:if>
       <xsl:choose>
         <xsl:when test="starts-with($text, '-') and number(translate($text, ',', '')) = 0">
@@ -94,7 +121,7 @@
 
 <!-- A result with about three significant digits; what four decimals would round to nothing is less than their last. -->
 <xsl:template name="number">
-  <xsl:param name="x"/>
+  <xsl:param name="x"/><xsl:param name="bound"/>
   <xsl:variable name="size" select="($x &lt; 0) * -$x + ($x &gt;= 0) * $x"/>
   <xsl:variable name="ten" select="1 + 9 * ($size &gt;= 999.5) + 90 * ($size &gt;= 9995) + 900 * ($size &gt;= 99950) +
     9000 * ($size &gt;= 999500)"/>
@@ -109,6 +136,7 @@
         <xsl:otherwise><xsl:value-of select="$x"/></xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
+    <xsl:with-param name="bound" select="$bound"/>
     <xsl:with-param name="pattern">
       <xsl:choose>
         <xsl:when test="$size &gt;= 99.95 or $size = 0">#,##0</xsl:when>

@@ -504,7 +504,7 @@ static void refused(void **state)
           "--crown-width 14 --crown-base 4 --soil clay --wind 20",
           CODE_INPUT,
           { "--height: '20kg': 'kg' is not a unit of a length; use one of: m, cm, mm",
-            "--girth: 250 m is not between 0.05 m and 40 m", "did you mean 'oak'?",
+            "--girth: 250 m is not between 0.05 m and 40 m", "did you mean 'oak' (Quercus robur)?",
             "--soil: 'clay' is none of mineral, gleyed, peaty, peat, unknown" } },
         { "$W assess " OAK
           " --soil gley --samples 0; sed 's/^soil: mineral/soil: Gley/' models/cards/oak.yaml >$T/c.yaml; "

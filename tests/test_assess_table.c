@@ -71,11 +71,29 @@ static void rows(void **state)
     assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_EINPUT);
     wf_rows_close(&r);
     e = (struct wf_err){ 0 };
+    /* UTF-16 is read as UTF-8; a line that says the separator; line ends of CR alone are none */
     write_file("\xFF\xFE"
-               "a\0,\0b\0\n\0",
-               10);
+               "a\0,\0b\0\n\0\x11\x68,\0\x3C\xD8\x33\xDF\n\0",
+               20);
+    assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_OK);
+    assert_true(r.utf16 && r.marked && wf_rows_next(&r));
+    assert_string_equal(r.raw, "树,🌳");
+    assert_false(wf_rows_next(&r));
+    wf_rows_close(&r);
+    write_file("\xFF\xFE"
+               "a\0,\0b\0\n\0\x3C\xD8",
+               12);
     assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_EINPUT);
-    assert_non_null(strstr(e.text, "UTF-16"));
+    assert_non_null(strstr(e.text, "UTF-16 with bytes that are none"));
+    wf_rows_close(&r);
+    write_file("sep=;\r\na,1;b\r\n1;2\r\n", 21);
+    assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_OK);
+    assert_true(r.columns == 2 && wf_rows_next(&r) && r.line == 3);
+    wf_rows_close(&r);
+    e = (struct wf_err){ 0 };
+    write_file("a,b\r1,2\r", 8);
+    assert_int_equal(wf_rows_open(&r, path, count_line, &before, &e), WF_EINPUT);
+    assert_non_null(strstr(e.text, "lines end in CR alone"));
     wf_rows_close(&r);
     unlink(path);
 }
@@ -158,6 +176,15 @@ static void reports(void **state)
 {
     (void)state;
     static const struct row rows[] = {
+        /* each names what it was assessed from */
+        { "printf 'species,soil,rooting,Nm_per_kg\noak,,,180\n' >$T/a.csv; (printf '" HEAD
+          "'; echo 1,oak,20,250,14,4,) >$T/t.csv; $W assess $T/t.csv -q --samples 0 -o $T/o.csv --reports "
+          "$T/r "
+          "--no-report --extremes docs/examples/annual.csv --anchorage-table $T/a.csv" WIND
+          "; python3 -c \"import json; print([f['role'] for f in "
+          "json.load(open('$T/r/row_2/results.json'))['provenance']['files']])\"",
+          CODE_OK,
+          { "['table', 'species', 'extremes', 'anchorage']" } },
         { "printf '# park\\n" HEAD
           "1,oak,20,250,14,4,\\n2,oka,20,250,14,4,\\n3,ash,18,150,9,3,\\n' >$T/t.csv; $W assess "
           "$T/t.csv -q -o $T/o.csv --reports $T/r --no-pdf" WIND
@@ -391,6 +418,100 @@ static void other_options(void **state)
     CHECK(rows);
 }
 
+/* A row that is too long, or in quotes too many lines, is one mistake with its line; a quote that nothing
+ * closes costs its own line alone. */
+static void long_rows(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "python3 - $T <<'E'\nimport sys\nhead = 'species;height;girth;crown width;crown base;note\\n'\n"
+          "row = 'oak;20;2.5;14;4;%s\\n'\n"
+          "cells = {'one': '\"' + 'x' * 3000000 + '\"', 'lines': '\"' + 'a \"\"line\"\"\\n' * 200000 + "
+          "'\"',\n"
+          "         'plain': 'y' * 3000000, 'hundred': '\"' + 'z\\n' * 101 + '\"'}\n"
+          "for name, cell in cells.items():\n"
+          "    open(sys.argv[1] + '/' + name, 'w').write(head + row % 'a' + row % cell + row % 'b' + row % "
+          "'\"c\\nd\"')\n"
+          "open(sys.argv[1] + '/open', 'w').write(head + row % 'a' + row % '\"open' + row % 'b' * 300 + row "
+          "% '\"c\"')\n"
+          "E\nfor k in one lines plain hundred open; do $W assess $T/$k -o $T/$k.csv --wind 20 2>&1 | grep "
+          "-o '^[0-9].*;'; "
+          "grep -o ';mistake;.*[a-z] *' $T/$k.csv | cut -c1-64; done",
+          CODE_OK,
+          { "4 rows: 3 assessed, 1 with mistakes, 0 failed;\n"
+            ";mistake;\"line 3: a cell in quotes is longer than 1 MB or 100 li\n"
+            "4 rows: 3 assessed, 1 with mistakes, 0 failed;\n"
+            ";mistake;\"line 3: a cell in quotes is longer than 1 MB or 100 li\n"
+            "4 rows: 3 assessed, 1 with mistakes, 0 failed;\n"
+            ";mistake;\"line 3: the row is longer than 1 MB; its beginning alo\n"
+            "4 rows: 3 assessed, 1 with mistakes, 0 failed;\n"
+            ";mistake;\"line 3: a cell in quotes is longer than 1 MB or 100 li\n"
+            "303 rows: 302 assessed, 1 with mistakes, 0 failed;\n"
+            ";mistake;\"line 3: a quote is opened and not closed; the row stan" } },
+    };
+    CHECK(rows);
+}
+
+/* A table of which no row could be assessed is refused at once, and leaves nothing behind. */
+static void none_to_assess(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "printf 'oak,20,2.5,14,4\nash,20,2.5,14,4\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --wind 20; "
+          "echo $?; ls $T",
+          CODE_OK,
+          { "t.csv:1: error: no column is recognised in the header, which begins with 'oak'.",
+            "2\nt.csv\n" } },
+        { "printf '#list\n" HEAD "' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --wind 20; echo $?; ls $T",
+          CODE_OK,
+          { "t.csv: there is no row below the header: nothing was assessed, nothing written",
+            "2\nt.csv\n" } },
+        { "printf 'name,height\nx,20\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --wind 20 --girth 2; echo "
+          "$?; ls $T",
+          CODE_OK,
+          { "t.csv:1: error: no column, and no option, gives species, crown-width, crown-base: no row could",
+            "2\nt.csv\n" } },
+        { "printf 'name,height\nx,20\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --wind 20 --girth 2.5 "
+          "--species oak "
+          "--frontal-area 100 --crown-depth 14 && sed -n 2p $T/o.csv",
+          CODE_OK,
+          { "x,20,assessed,,incomplete" } },
+        /* the byte order mark by which spreadsheets know UTF-8 stays */
+        { "printf '\\357\\273\\277sep=;\\r\\nBaumart;Höhe;Umfang in "
+          "cm;Kronenbreite;Kronenansatz\\r\\nEiche;20,5;250;14;4\\r\\n' "
+          ">$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --wind 20; printf '\\357\\273\\277sep=;\\nBaumart;' "
+          ">$T/s; head -c 17 "
+          "$T/o.csv | cmp - $T/s && sed -n 3p $T/o.csv",
+          CODE_OK,
+          { "Eiche;20,5;250;14;4;assessed;;incomplete;2.4" } },
+    };
+    CHECK(rows);
+}
+
+/* A safety just below the required one is not printed as that: table, terminal and page. */
+static void just_below(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "{ echo 'species,height,girth,crown width,crown base,wind'; seq 26.20 0.0001 26.24 | sed "
+          "'s/^/oak,20,2.5,14,4,/'; } >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv --wind 20; awk -F, "
+          "'NR > 1 { n[$9]++; wrong += ($9 == \"insufficient\") != ($10 < 1.5) }\n"
+          "END { few = n[\"insufficient\"] < 20 || n[\"incomplete\"] < 20; print few, wrong + 0 }' $T/o.csv; "
+          "w=$(awk -F, '$9 == \"insufficient\" && $10 < 1.4996 { print $6; exit }' $T/o.csv); $W assess "
+          "--species oak --height 20 --girth 2.5 --crown-width 14 --crown-base 4 --samples 0 --wind $w -o "
+          "$T/r "
+          "--no-pdf --scenarios season=leaf_off >$T/said 2>&1; grep -c INSUFFICIENT $T/said; s=$(sed -n "
+          "'s/ *against breakage *\\([0-9.]*\\) .*/\\1/p' $T/said); awk \"BEGIN { x = $s < 1.5 && $s > "
+          "1.498; "
+          "print x }\"; grep -c \"as it stands.* $s \" $T/said; grep -c \"<b>$s</b>\" $T/r/report.html; grep "
+          "-c "
+          "\"<td class=.r.>$s</td>\" $T/r/report.html",
+          CODE_OK,
+          { "0 0\n1\n1\n1\n1\n" } },
+    };
+    CHECK(rows);
+}
+
 /* Rows with the file of a tree are assessed by it, others as without that column; a file that cannot be taken
  * is a mistake of its row. */
 static void scans(void **state)
@@ -517,6 +638,20 @@ static void interrupted_rows_are_not_written(void **state)
           "$T/o.csv $T/whole && echo alike",
           CODE_OK,
           { "ended 143\n", "the same command goes on from", "\nbegins alike\n1\nalike\n" } },
+        /* rows are in the table as soon as they and those before them are finished: a second signal, which
+           ends the program at once, loses none of them, although 59 rows are read together */
+        { "(printf '" HEAD
+          "'; for i in $(seq 1 59); do echo $i,oak,20,$((200+i)),14,4,; done) >$T/t.csv; A=\"$W assess "
+          "$T/t.csv --samples 256 --threads 1" WIND
+          "\"; $A -o $T/o.csv >$T/log 2>&1 & p=$!; for i in $(seq 600); do [ "
+          "\"$(cat $T/o.csv.partial 2>/dev/null | wc -l)\" "
+          "-ge 4 ] && break; sleep 0.02; done; kill $p; kill $p; kill -KILL $p; wait $p; n=$(wc -l "
+          "<$T/o.csv.partial); [ $n -ge 4 ] && [ $n -lt 60 ] && echo kept; $A -o $T/o.csv 2>&1 | grep -o "
+          "'goes on after [0-9]* rows' >$T/said; [ \"$(cat $T/said)\" = \"goes on after $((n-1)) rows\" ] && "
+          "echo "
+          "goes on; grep -c assessed $T/o.csv",
+          CODE_OK,
+          { "kept\ngoes on\n59\n" } },
     };
     CHECK(rows);
 }
@@ -548,16 +683,14 @@ static void rows_do_not_mix(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(rows),
-                                        cmocka_unit_test(tables),
-                                        cmocka_unit_test(reports),
-                                        cmocka_unit_test(hostile),
-                                        cmocka_unit_test(goes_on),
-                                        cmocka_unit_test(rows_do_not_mix),
-                                        cmocka_unit_test(languages),
-                                        cmocka_unit_test(heads),
-                                        cmocka_unit_test(other_options),
-                                        cmocka_unit_test(scans),
-                                        cmocka_unit_test(interrupted_rows_are_not_written) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows),           cmocka_unit_test(tables),
+        cmocka_unit_test(reports),        cmocka_unit_test(hostile),
+        cmocka_unit_test(goes_on),        cmocka_unit_test(rows_do_not_mix),
+        cmocka_unit_test(languages),      cmocka_unit_test(heads),
+        cmocka_unit_test(other_options),  cmocka_unit_test(long_rows),
+        cmocka_unit_test(none_to_assess), cmocka_unit_test(just_below),
+        cmocka_unit_test(scans),          cmocka_unit_test(interrupted_rows_are_not_written)
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -113,7 +113,7 @@ static void refuses(void **state)
         { "$W modes oak $M --season leaf_off --water-film 0.3mm --no-report -o $T/b",
           CODE_INPUT,
           { "no leaves that could hold rain" } },
-        { "$W modes oka $M", CODE_INPUT, { "did you mean 'oak'?" } },
+        { "$W modes oka $M", CODE_INPUT, { "did you mean 'oak' (Quercus robur)?" } },
     };
     CHECK(rows);
 }

@@ -103,6 +103,10 @@ static void names_find_tables(void **state)
         { "悬铃木", "plane" },
         { "Platanus × acerifolia", "plane" },
         { "weißbuche", "hornbeam" },
+        { "橡树", "oak" },
+        { "栎树", "oak" },
+        { "桦树", "birch" },
+        { "法桐", "plane" },
     };
     struct wf_arena a = { 0 };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -136,19 +140,50 @@ static void unknown_names_have_near_ones(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "$W species show 'Quercus robor'",
-          CODE_INPUT,
-          { "did you mean 'oak' (Quercus robur / Quercus petraea)?" } },
+        { "$W species show 'Quercus robor'", CODE_INPUT, { "did you mean 'oak' (Quercus robur)?" } },
         { "$W analyze 'acer campestre' $RUN",
           CODE_INPUT,
           { "'norway_maple' (Acer platanoides), 'silver_maple' (Acer saccharinum) or 'sycamore' (Acer "
             "pseudoplatanus)?" } },
         { "$W analyze 毛竺 $RUN", CODE_INPUT, { "or 'moso_bamboo' (Phyllostachys edulis)?" } },
+        /* trees of several tables, in the words of everyday: all of them, and no others */
+        { "for s in pine pin 松树 Pinus; do $W species show $s; done 2>&1 | sort -u | grep -v \"^'\" | sed "
+          "'s/[^;]*;//' | uniq -c",
+          CODE_OK,
+          { "      4  say which: 'loblolly_pine', 'lodgepole_pine', 'maritime_pine', 'masson_pine', "
+            "'radiata_pine' or "
+            "'scots_pine'\n" } },
+        { "for s in maple Ahorn érable 槭树 枫树; do $W species show $s; done 2>&1 | sed 's/[^;]*;//' | uniq "
+          "-c",
+          CODE_OK,
+          { "      5  say which: 'norway_maple' (Acer platanoides), 'silver_maple' (Acer saccharinum) or "
+            "'sycamore' "
+            "(Acer pseudoplatanus)\n" } },
+        { "for s in willow Weide saule 柳树; do $W species show $s; done 2>&1 | sed 's/[^;]*;//' | uniq -c",
+          CODE_OK,
+          { "      4  say which: 'weeping_willow' (Salix babylonica), 'white_willow' (Salix alba) or "
+            "'willow_feng1999' "
+            "(Salix sp.)\n" } },
+        { "for s in Quercus 'Quercus sp.' 'quercus spp.' 'red oak' Roteiche 红栎; do $W species show \"$s\"; "
+          "done 2>&1 | sed "
+          "'s/[^;]*;//' | uniq -c",
+          CODE_OK,
+          { "      6  did you mean 'oak' (Quercus robur)?\n" } },
+        { "for s in alder aulne 柏树 榕树 樟树 Erle; do $W species show \"$s\"; done 2>&1 | sed 's/[^;]*;//' "
+          "| uniq -c",
+          CODE_OK,
+          { "      6  'windfirm species list' shows them\n" } },
+        { "$W species show fir",
+          CODE_INPUT,
+          { "'chinese_fir' (Cunninghamia lanceolata) or 'douglas_fir' (Pseudotsuga menziesii)?" } },
         { "$W species show 云杉", CODE_INPUT, { "'norway_spruce'", "'sitka_spruce'" } },
-        { "$W species show oka", CODE_INPUT, { "did you mean 'oak'?" } },
+        { "$W species show oka", CODE_INPUT, { "did you mean 'oak' (Quercus robur)?" } },
         { "$W species show larch", CODE_INPUT, { "did you mean 'japanese_larch' (Larix kaempferi)?" } },
         { "$W species show birtch", CODE_INPUT, { "did you mean 'birch'" } },
-        { "$W species show qqqqq", CODE_INPUT, { "there are: ash, beech, birch" } },
+        { "$W species show qqqqq",
+          CODE_INPUT,
+          { "qqqqq: there is no such file, and no shipped species table of that name; 'windfirm species "
+            "list' shows them" } },
         { "$W shelter --model culm --species 毛竺", CODE_INPUT, { "'moso_bamboo'" } },
     };
     CHECK(rows);

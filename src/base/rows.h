@@ -2,7 +2,8 @@
 #ifndef WF_BASE_ROWS_H
 #define WF_BASE_ROWS_H
 /* A table of any length, a row at a time: the bytes of each row as they are, and its cells as text. The same
- * tables as base/csv.h, but for heads of loggers and UTF-16; mistakes belong to the row and end nothing. */
+ * tables as base/csv.h, but for heads of loggers; mistakes belong to the row and end nothing. Of a row that
+ * is too long the beginning is kept, its first line or 1 MB. */
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -29,13 +30,17 @@ struct wf_rows {
     const char *wrong; /* what is wrong with its quotes or bytes; NULL: nothing */
     char *held;        /* text that was read and is not used yet */
     size_t held_size, next_line;
-    char *split; /* the cells' text */
-    size_t room; /* of raw, held and split */
+    bool utf16;              /* the file is; all texts are UTF-8 */
+    bool marked;             /* it begins with a byte order mark, which is in none of the texts */
+    size_t scanned, skipped; /* searches for the end of a long cell; lines left out behind the current row */
+    char *split;             /* the cells' text */
+    size_t room;             /* of raw, held and split */
 };
 
 /* Open a table and read its header, with the blank lines and comments before it as rows of their own:
  * `before(context, raw)` is called for each and for the header. Errors: WF_EINPUT (no such file, no header,
- * UTF-16, more than WF_ROW_CELLS columns, two of one name), WF_ENOMEM. */
+ * line ends that are CR alone, UTF-16 that is broken, more than WF_ROW_CELLS columns, two of one name),
+ * WF_ENOMEM. */
 enum wf_status wf_rows_open(struct wf_rows *r, const char *file,
                             void (*before)(void *context, const char *raw), void *context, struct wf_err *e);
 /* The next row. Returned: false at the end of the file. */

@@ -31,6 +31,13 @@ static void unknown_option(struct wf_reading *r, const char *word, size_t length
                       *hint.text ? hint.text : "; 'windfirm COMMAND --help' lists them");
 }
 
+/* Is the argument behind a flag a value, and no operand? */
+static bool is_yes_or_no(const char *word)
+{
+    return word && wf_text_among("yes no true false on off ja nein oui non 是 否 1 0", word) &&
+           !wf_file_is_there(word);
+}
+
 /* The argument at argv[i], an option; returned: how many arguments it took. */
 static int read_option(struct wf_reading *r, int argc, char **argv, int i)
 {
@@ -46,9 +53,13 @@ static int read_option(struct wf_reading *r, int argc, char **argv, int i)
     if (r->args->given[k] && o->kind != WF_OPTION_TEXTS) wf_option_mistake(r, NULL, o->name, "given twice");
     r->args->given[k] = true;
     if (o->kind == WF_OPTION_FLAG) {
+        bool answered = !equals && is_yes_or_no(value);
         if (equals) wf_option_mistake(r, NULL, o->name, "takes no value");
+        if (answered)
+            wf_option_mistake(r, NULL, o->name,
+                              "takes no value: write %s alone, or leave it out; not '%.20s'", o->name, value);
         wf_option_take(r, k, "yes");
-        return 1;
+        return answered ? 2 : 1;
     }
     /* "--wind -o out": the value was forgotten; "--azimuth -90" and "-o -" are values */
     bool forgotten = value && !equals && strncmp(value, "--", 2) == 0;

@@ -87,6 +87,10 @@ static const struct known {
 /* Heads that may be one of several options, or none of them. */
 static const char ambiguous[] = "abstand distance distanz entfernung ecart 距离 间距";
 
+/* Columns that say which tree a row is. */
+static const char numbers[] = "number tree_number tree_no no nr id tree_id baum_id baumnummer baumnr numero "
+                              "numero_arbre num no_arbre 编号 树号 树木编号 序号";
+
 /* Heads of lists of trees that are also options: they may name any place. */
 static const char everyday[] = "site region";
 
@@ -197,12 +201,6 @@ static bool among(const char *names, const char *key)
     while (next_name(&names, one, sizeof one))
         if (!strcmp(one, key)) return true;
     return false;
-}
-
-bool wf_head_among(const char *name, const char *names, struct wf_arena *a)
-{
-    const char *wide = widened(name, a), *key = wide ? plain(wide, a) : NULL;
-    return key && *key && among(names, key);
 }
 
 static bool is_called(const struct known *k, const char *key)
@@ -467,6 +465,7 @@ enum wf_status wf_heads_read(const struct wf_rows *r, const struct wf_assess_opt
         struct looked l = { .units = units, .a = a, .head = head, .key = head ? plain(head, a) : NULL };
         if (!l.key) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
         recognise(&l, line, &out->head[k]);
+        out->head[k].number = among(numbers, l.key);
         s = check_head(out, k, l.key, e);
         const char *name = out->head[k].use == WF_HEAD_READ ? rows[out->head[k].option].name : "";
         if (!strcmp(name, "--scans")) out->scan = k;
@@ -475,6 +474,46 @@ enum wf_status wf_heads_read(const struct wf_rows *r, const struct wf_assess_opt
     if (!out->head) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     drop_known_near(out);
     return s;
+}
+
+/* ---- What is missing ---- */
+
+static bool is_there(const struct wf_heads *h, const struct wf_args *line, const char *option)
+{
+    size_t row = wf_head_option(h->option, option);
+    bool there = line->given[row];
+    for (size_t k = 0; k < h->rows->columns; k++)
+        there = there || (h->head[k].use == WF_HEAD_READ && h->head[k].option == row);
+    return there;
+}
+
+enum wf_status wf_heads_check(const struct wf_heads *h, const struct wf_args *line, struct wf_err *e)
+{
+    static const char *const needed[][3] = { { "--species" },
+                                             { "--height" },
+                                             { "--girth", "--dbh" },
+                                             { "--crown-width", "--frontal-area", "--photo-outline" },
+                                             { "--crown-base", "--crown-depth", "--photo-outline" } };
+    char missing[200] = "";
+    bool any = false;
+    for (size_t k = 0; k < h->rows->columns; k++) any = any || h->head[k].use == WF_HEAD_READ;
+    if (!any)
+        return wf_fail(e, WF_EINPUT,
+                       "%s:%zu: error: no column is recognised in the header, which begins with '%.60s'. The "
+                       "first line that is "
+                       "neither blank nor a remark (#) names the columns, for example "
+                       "species,height_m,girth_cm,crown_width_m,crown_base_m",
+                       h->rows->file, h->rows->line, h->rows->name[0]);
+    for (size_t k = 0; k < WF_COUNT(needed) && h->scan == WF_HEAD_NONE; k++) {
+        bool there = false;
+        for (size_t i = 0; i < 3 && needed[k][i]; i++) there = there || is_there(h, line, needed[k][i]);
+        size_t n = strlen(missing);
+        if (!there) (void)snprintf(missing + n, sizeof missing - n, "%s%s", n ? ", " : "", needed[k][0] + 2);
+    }
+    if (!*missing) return WF_OK;
+    return wf_fail(e, WF_EINPUT,
+                   "%s:%zu: error: no column, and no option, gives %s: no row could be assessed",
+                   h->rows->file, h->rows->line, missing);
 }
 
 /* ---- What is said ---- */

@@ -18,6 +18,7 @@ struct wf_head {
     size_t option; /* row of the command's options; of WF_HEAD_KEPT: none */
     double factor; /* to SI; NAN: the option's own unit */
     bool stand;    /* of a tree in a stand */
+    bool number;   /* says which tree a row is; only kept, it stands on the page of the tree */
 };
 /* Column of the files of trees, or of the spacing; none. */
 #define WF_HEAD_NONE ((size_t)-1)
@@ -37,9 +38,9 @@ size_t wf_head_option(const struct wf_option *rows, const char *name);
 enum wf_status wf_heads_read(const struct wf_rows *r, const struct wf_assess_options *line,
                              struct wf_units *units, struct wf_arena *a, struct wf_heads *out,
                              struct wf_err *e);
+/* Can any row be assessed? Given: the options of the command line. Errors: WF_EINPUT where no column is read,
+ * or neither a column nor an option says something that every tree needs. */
+enum wf_status wf_heads_check(const struct wf_heads *h, const struct wf_args *line, struct wf_err *e);
 /* Say on stderr which columns are read, and as what, which only kept, and of which rows are refused. */
 void wf_heads_say(const struct wf_heads *h, struct wf_arena *a);
-/* Is the name of a column one of those, which have blanks between and '_' in the place of blanks? Letter
- * case, accents, blanks and particles make no difference. */
-bool wf_head_among(const char *name, const char *names, struct wf_arena *a);
 #endif

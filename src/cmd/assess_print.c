@@ -14,6 +14,7 @@
 #include "wind/category.h"
 #include "wind/design.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static double degrees(double rad) { return rad * 180.0 / M_PI; }
@@ -26,6 +27,28 @@ static void print_number(FILE *to, int width, double x)
         wf_show(to, "%*.*f", width, x < 10 ? 2 : 1, x);
     else
         wf_show(to, "%*s", width, isinf(x) ? "> 100" : "-");
+}
+
+/* A safety, on the side of 1 and of the required one that it is on: 1.497 and not 1.50. */
+static const char *safety_text(double x, double required, char out[static 32])
+{
+    int digits = x < 10 ? 2 : 1;
+    double shown = NAN;
+    for (; digits < 8 && isnan(shown); digits++) {
+        (void)snprintf(out, 32, "%.*f", digits, x);
+        double at = strtod(out, NULL);
+        if ((at < required) == (x < required) && (at > 1) == (x > 1)) shown = at;
+    }
+    return out;
+}
+
+static void print_safety(FILE *to, int width, double x, double required)
+{
+    char text[32];
+    if (isfinite(x))
+        wf_show(to, "%*s", width, safety_text(x, required, text));
+    else
+        print_number(to, width, x);
 }
 
 static void print_tree(FILE *to, const struct wf_analysis *an)
@@ -62,14 +85,16 @@ static void print_reasons(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_assessment *x = an->assessment;
     const struct wf_at_speed *at = &an->at[an->n - 1];
+    char text[32];
     for (int c = 0; c < WF_CRITERIA; c++)
         if (x->lost_by & (1U << c))
-            wf_show(to, "    it is lost by %s: safety %.2f\n", wf_criteria[c].name,
-                    at->worst[c][WF_SCOPE_STEM].safety);
+            wf_show(to, "    it is lost by %s: safety %s\n", wf_criteria[c].name,
+                    safety_text(at->worst[c][WF_SCOPE_STEM].safety, x->required, text));
     if (x->because & WF_ASSESS_NO_EQUILIBRIUM)
         wf_show(to, "    the tree has no equilibrium in this wind: it goes down in the computation\n");
     if (x->because & WF_ASSESS_LOW_END)
-        wf_show(to, "    at the low end of the interval the safety is %.2f, %s the required %.3g\n", x->low,
+        wf_show(to, "    at the low end of the interval the safety is %s, %s the required %.6g\n",
+                safety_text(x->low, x->required, text),
                 x->high < x->required ? "as at its high end below" : "below", x->required);
     if (x->because & WF_ASSESS_WET)
         wf_show(to, "    in saturated soil it may overturn: safety %.2f to %.2f\n", x->wet_low, x->wet_high);
@@ -89,22 +114,25 @@ static void print_reasons(FILE *to, const struct wf_analysis *an)
 static void print_safeties(FILE *to, const struct wf_assessment *x)
 {
     wf_show(to, "\n%24s%10s%10s%10s%16s\n", "safety", "now", "sound", "required", "90 % between");
+    const double q = x->required;
+    char low[32], high[32];
     wf_show(to, "%24s", "against breakage");
-    print_number(to, 10, x->breakage.safety);
-    print_number(to, 10, x->sound);
-    wf_show(to, "%10.3g\n%24s", x->required, "against overturning");
+    print_safety(to, 10, x->breakage.safety, q);
+    print_safety(to, 10, x->sound, q);
+    wf_show(to, "%10.6g\n%24s", q, "against overturning");
     if (isnan(x->overturning.safety)) {
         wf_show(to, "%34s\n", "not assessed");
     } else {
-        print_number(to, 10, x->overturning.safety);
-        wf_show(to, "%10s%10.3g\n%24s%10.2f to %.2f\n", "", x->required, "in saturated soil", x->wet_low,
-                x->wet_high);
+        print_safety(to, 10, x->overturning.safety, q);
+        wf_show(to, "%10s%10.6g\n%24s%10s to %s\n", "", q, "in saturated soil",
+                safety_text(x->wet_low, q, low), safety_text(x->wet_high, q, high));
     }
     wf_show(to, "%24s", "least");
-    print_number(to, 10, isnan(x->breakage.safety) ? NAN : fmin(x->breakage.safety, x->overturning.safety));
+    print_safety(to, 10, isnan(x->breakage.safety) ? NAN : fmin(x->breakage.safety, x->overturning.safety),
+                 q);
     wf_show(to, "%20s", "");
     if (isfinite(x->low))
-        wf_show(to, "%9.2f to %.2f\n", x->low, x->high);
+        wf_show(to, "%9s to %s\n", safety_text(x->low, q, low), safety_text(x->high, q, high));
     else
         wf_show(to, "%16s\n", "-");
 }
@@ -222,12 +250,12 @@ static void print_years(FILE *to, const struct wf_analysis *an)
                                  x->exceedance_low, year));
 }
 
-static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d)
+static void print_around(FILE *to, size_t n, const struct wf_assess_direction *d, double required)
 {
     for (size_t k = 0; k < n; k++) {
         wf_show(to, "%7.4g deg", compass(d[k].from));
-        print_number(to, 7, d[k].breakage.safety);
-        print_number(to, 7, d[k].overturning.safety);
+        print_safety(to, 7, d[k].breakage.safety, required);
+        print_safety(to, 7, d[k].overturning.safety, required);
         if (k % 4 == 3 || k + 1 == n) wf_show(to, "\n");
     }
 }
@@ -236,11 +264,11 @@ static void print_directions(FILE *to, const struct wf_assessment *x)
 {
     if (!x->directions) {
         wf_show(to,
-                "  the card says nothing by which directions differ: the wind's direction does not matter\n");
+                "  nothing that is given makes directions differ: the wind's direction does not matter\n");
         return;
     }
     wf_show(to, "\n  safety by the direction the wind comes from: breakage, overturning\n");
-    print_around(to, x->directions, x->direction);
+    print_around(to, x->directions, x->direction, x->required);
 }
 
 static void print_missing(FILE *to, const struct wf_analysis *an)
@@ -284,28 +312,28 @@ static void print_lost_at(FILE *to, int width, const struct wf_beside *x)
 }
 
 /* `listed`: with the safety of branches. */
-static void print_scenario(FILE *to, const struct wf_beside *x, bool listed)
+static void print_scenario(FILE *to, const struct wf_beside *x, bool listed, double required)
 {
     wf_print_name(to, x->name ? x->name : "as it stands", 36);
     if (x->cut > 0)
         wf_show(to, "%7.0f %%%s", 100 * x->cut, x->cut > WF_ASSESS_CUT_FLAGGED ? "!" : " ");
     else
         wf_show(to, "%10s", "- ");
-    print_number(to, 10, x->breakage);
-    print_number(to, 13, x->overturning);
+    print_safety(to, 10, x->breakage, required);
+    print_safety(to, 13, x->overturning, required);
     if (listed) print_number(to, 10, x->branches);
     print_lost_at(to, 13, x);
     wf_show(to, "  %s\n", wf_assess_rows[x->word].name);
 }
 
-static void print_table(FILE *to, const struct wf_besides *all)
+static void print_table(FILE *to, const struct wf_besides *all, double required)
 {
     bool listed = false;
     for (size_t k = 0; k < all->n; k++) listed = listed || isfinite(all->item[k].branches);
     wf_show(to, "\n%36s%10s%10s%13s", "what is done", "crown cut", "breakage", "overturning");
     if (listed) wf_show(to, "%10s", "branches");
     wf_show(to, "%13s  %s\n", "critical m/s", "verdict");
-    for (size_t k = 0; k < all->n; k++) print_scenario(to, &all->item[k], listed);
+    for (size_t k = 0; k < all->n; k++) print_scenario(to, &all->item[k], listed, required);
 }
 
 /* The tree as it stands beside what may be done to it. */
@@ -315,13 +343,16 @@ static void print_scenarios(FILE *to, const struct wf_analysis *an)
     bool flagged = x->reduction_cut > WF_ASSESS_CUT_FLAGGED;
     if (isfinite(x->reduction))
         wf_show(to,
-                "  least reduction of the crown for a safety of %.3g: %.0f %% of its height and width, %.0f "
+                "  least reduction of the crown for a safety of %.6g: %.0f %% of its height and width, %.0f "
                 "%% of "
                 "its area\n",
                 x->required, 100 * x->reduction, 100 * x->reduction_cut);
     else if (isinf(x->reduction))
-        wf_show(to, "  no reduction of the crown up to 60 %% reaches a safety of %.3g\n", x->required);
-    if (an->beside) print_table(to, an->beside);
+        wf_show(to, "  no reduction of the crown up to 60 %% reaches a safety of %.6g\n", x->required);
+    if (an->beside) {
+        print_table(to, an->beside, x->required);
+        wf_print_beside_gusts(to, an->beside->n, an->beside->item);
+    }
     for (size_t k = 0; k < x->scenarios; k++) flagged = flagged || x->scenario[k].cut > WF_ASSESS_CUT_FLAGGED;
     if (x->scenarios) wf_show(to, "  scenarios are without an interval: 'incomplete' may be uncertain\n");
     wf_print_beside_holds(to, x->scenarios, x->scenario);
@@ -329,7 +360,7 @@ static void print_scenarios(FILE *to, const struct wf_analysis *an)
         const struct wf_beside *q = &x->scenario[k];
         if (!q->directions) continue;
         wf_show(to, "\n  %s: safety by the direction the wind comes from: breakage, overturning\n", q->name);
-        print_around(to, q->directions, q->direction);
+        print_around(to, q->directions, q->direction, x->required);
     }
     if (flagged)
         wf_show(to, "  !: more than %.0f %% of the crown: a loss that harms the tree\n",

@@ -49,6 +49,17 @@ static void put_number(double x, FILE *to)
     if (isfinite(x)) fprintf(to, "%.5g", x);
 }
 
+/* A safety: with all digits where five would put it on the other side of 1 or of the required one. */
+static void put_safety(double x, double required, FILE *to)
+{
+    char text[32];
+    if (!isfinite(x)) return;
+    (void)snprintf(text, sizeof text, "%.5g", x);
+    double shown = strtod(text, NULL);
+    bool same = (shown < required) == (x < required) && (shown > 1) == (x > 1);
+    fprintf(to, same ? "%.5g" : "%.10g", x);
+}
+
 /* A text as a cell: in quotes where it needs them; a spreadsheet must not take it for a formula. */
 static void put_text(const char *text, char separator, FILE *to)
 {
@@ -80,6 +91,7 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
     const struct wf_assessment *x = &r->x;
     enum wf_criterion_id by;
     const struct wf_critical *c = loss(r, &by);
+    enum { SAFETIES = 5 };
     bool found = c && c->outcome == WF_CRITICAL_FOUND;
     put_text(wf_assess_rows[x->word].name, separator, to);
     const double number[] = { x->breakage.safety,
@@ -90,7 +102,13 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
                               found ? c->speed : (double)NAN,
                               found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN,
                               found ? fmod(x->from * 180 / WF_PI + 360, 360) : (double)NAN };
-    for (size_t k = 0; k < WF_COUNT(number); k++) fputc(separator, to), put_number(number[k], to);
+    for (size_t k = 0; k < WF_COUNT(number); k++) {
+        fputc(separator, to);
+        if (k < SAFETIES)
+            put_safety(number[k], x->required, to);
+        else
+            put_number(number[k], to);
+    }
     fputc(separator, to);
     if (found) put_text(wf_criteria[by].name, separator, to);
     if (!years) return;
@@ -285,6 +303,11 @@ void wf_tree_columns_close(struct wf_tree_columns *c)
 
 void wf_tree_columns_say(const struct wf_tree_columns *c, struct wf_arena *a) { wf_heads_say(&c->heads, a); }
 
+enum wf_status wf_tree_columns_check(const struct wf_tree_columns *c, struct wf_err *e)
+{
+    return wf_heads_check(&c->heads, &c->of_rows, e);
+}
+
 /* ---- Reading a row ---- */
 
 /* Does a cell say that there is nothing? "none" is a word of --bark; "no" of what a tree may have or not. */
@@ -461,18 +484,12 @@ static const char *text_of(const struct wf_rows *r, struct wf_tree_row *row)
     return kept;
 }
 
-/* Columns that say which tree a row is; they are only kept, and stand on the page of the tree. */
-static const char numbers[] =
-    "number tree_number tree_no no nr id tree_id baum_id baumnummer baumnr numero numero_arbre "
-    "num no_arbre 编号 树号 树木编号 序号";
-
-static const char *number_of(const struct wf_rows *r, struct wf_arena *a)
+static const char *number_of(const struct wf_tree_columns *c, const struct wf_rows *r, struct wf_arena *a)
 {
     enum { LONGEST = 80 };
     for (size_t k = 0; k < r->cells && k < r->columns; k++) {
         const char *cell = r->cell[k];
-        if (!wf_head_among(r->name[k], numbers, a) || wf_csv_missing(cell, strlen(cell)) ||
-            strlen(cell) > LONGEST)
+        if (!c->heads.head[k].number || wf_csv_missing(cell, strlen(cell)) || strlen(cell) > LONGEST)
             continue;
         const char *at = cell;
         while ((unsigned char)*at >= ' ') at++;
@@ -514,7 +531,7 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
     out->state = WF_ROW_MISTAKE;
     out->text = text_of(r, out);
     out->reason = row_fault(c, r, &out->arena);
-    out->number = number_of(r, &out->arena);
+    out->number = number_of(c, r, &out->arena);
     if (!out->text) return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
     if (out->reason) return WF_OK;
     enum wf_status s = read_options(c, r, false, out, &out->single.options, e);

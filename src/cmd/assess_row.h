@@ -35,6 +35,9 @@ enum wf_status wf_tree_columns_open(struct wf_tree_columns **out, const struct w
 void wf_tree_columns_close(struct wf_tree_columns *c);
 /* Say which columns were recognised. */
 void wf_tree_columns_say(const struct wf_tree_columns *c, struct wf_arena *a);
+/* Can any row be assessed? Errors: WF_EINPUT where no column was recognised, or neither a column nor an
+ * option says something that every tree needs. */
+enum wf_status wf_tree_columns_check(const struct wf_tree_columns *c, struct wf_err *e);
 
 /* Read the current row of the table. Not from two threads at once. Returned: *out with state and reason; its
  * arena is empty before and is to be freed. Errors: WF_ENOMEM. */

@@ -134,7 +134,9 @@ enum wf_status wf_shipped(const char *room, const char *name, struct wf_arena *a
                           struct wf_diag *d, struct wf_err *e)
 {
     *path = name;
-    if (strpbrk(name, "/.") || wf_file_is_there(name)) return WF_OK;
+    const char *dot = strchr(name, '.'); /* "Acer sp.", "Qu. robur" are no files */
+    bool file = strchr(name, '/') || (dot && dot[1] && dot[1] != ' ');
+    if (file || wf_file_is_there(name)) return WF_OK;
     enum wf_status s = strcmp(room, "species") == 0 ? wf_species_path(wf_share(), name, &wf_laws, a, path, e)
                                                     : wf_shipped_path(wf_share(), room, name, a, path, e);
     if (!s && access(name, F_OK) == 0)

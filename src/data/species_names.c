@@ -71,6 +71,22 @@ static bool overlaps(const char *name, const char *wanted)
     return strlen(name) >= LEAST && strlen(wanted) >= LEAST && (strstr(name, wanted) || strstr(wanted, name));
 }
 
+/* Words of everyday for trees that several tables are of, or none exactly, and their genera. */
+static const struct {
+    const char *words, *genera;
+} kinds[] = {
+    { "pine pin 松 松树", "pinus" },
+    { "maple ahorn erable 槭 槭树 枫树", "acer" },
+    { "willow weide saule 柳 柳树", "salix" },
+    { "spruce 云杉", "picea" },
+    { "larch larche laerche meleze 落叶松", "larix" },
+    { "bamboo bambus bambou 竹 竹子 竹树", "phyllostachys guadua" },
+    { "白蜡 白蜡树", "fraxinus" },
+    { "山毛榉 水青冈", "fagus" },
+    { "chestnut kastanie", "aesculus" },
+    { "栎 柞树 红栎 栓皮栎 麻栎 蒙古栎", "quercus" },
+};
+
 /* The same first word, where there are two: a genus. */
 static bool has_genus(const char *name, const char *wanted)
 {
@@ -78,9 +94,39 @@ static bool has_genus(const char *name, const char *wanted)
     return n >= 3 && name[n] == ' ' && !strncmp(name, wanted, n);
 }
 
+/* "Acer", "Acer sp." and "maple" are a genus alone. */
+static bool is_genus(const char *name, const char *wanted)
+{
+    char genus[40];
+    const char *rest = wanted + strcspn(wanted, " ");
+    (void)snprintf(genus, sizeof genus, "%.*s", (int)strcspn(name, " "), name);
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        if (wf_text_among(kinds[k].words, wanted)) return wf_text_among(kinds[k].genera, genus);
+    return wf_text_among("sp sp. spp spp. species", *rest ? rest + 1 : "sp") && has_genus(name, wanted);
+}
+
+/* Is `word` one of the words of a text? */
+static bool has_word(const char *text, const char *word)
+{
+    size_t n = strlen(word);
+    for (const char *at = text; n >= 3 && (at = strstr(at, word)); at++)
+        if ((at == text || at[-1] == ' ') && (!at[n] || at[n] == ' ')) return true;
+    return false;
+}
+
+/* "red oak" has the name oak, and "Chinese fir" the word fir. */
+static bool shares_word(const char *name, const char *wanted)
+{
+    return has_word(wanted, name) || has_word(name, wanted);
+}
+
+/* A third of the characters may differ; of two Chinese ones the second. */
 static bool is_near(const char *name, const char *wanted)
 {
-    return wf_word_is_near(wanted, wf_word_distance(wanted, name));
+    size_t characters = 0, n = strlen(wanted), d = wf_word_distance(wanted, name);
+    for (const char *p = wanted; *p; p++) characters += (*p & 0xC0) != 0x80;
+    bool pair = characters == 2 && n == 6 && !strncmp(name, wanted, 3);
+    return wf_word_is_near(wanted, d) && (3 * d <= characters || pair);
 }
 
 const char *wf_species_name_with(const struct wf_species *sp, const char *text, struct wf_arena *a)
@@ -103,7 +149,7 @@ static size_t tables_that(const struct wf_species_library *l, const char *wanted
 size_t wf_species_near(const struct wf_species_library *l, const char *name, struct wf_arena *a,
                        const struct wf_species **out, size_t room)
 {
-    static name_fits *const ways[] = { overlaps, has_genus, is_near };
+    static name_fits *const ways[] = { is_genus, shares_word, overlaps, has_genus, is_near };
     const char *wanted = wf_text_folded(name, a);
     size_t n = 0;
     for (size_t i = 0; i < sizeof ways / sizeof *ways && !n; i++)
@@ -111,31 +157,31 @@ size_t wf_species_near(const struct wf_species_library *l, const char *name, str
     return n;
 }
 
-/* "; did you mean 'a' (Latin name) or 'b' (Latin name)?" */
+/* "; say which: 'a' (Latin name) or 'b' (Latin name)"; of many the keys alone. */
 static const char *tables_text(const char *before, const struct wf_species **of, size_t n, struct wf_arena *a)
 {
+    enum { WITH_LATIN = 3 };
     const char *text = before;
-    for (size_t i = 0; text && i < n; i++)
-        text = wf_arena_print(a, "%s%s'%s'%s%s%s", text,
+    for (size_t i = 0; text && i < n; i++) {
+        const char *latin = of[i]->latin, *end = latin ? strstr(latin, " / ") : NULL;
+        bool named = latin && n <= WITH_LATIN;
+        text = wf_arena_print(a, "%s%s'%s'%s%.*s%s", text,
                               !i          ? " "
                               : i + 1 < n ? ", "
                                           : " or ",
-                              of[i]->key, of[i]->latin ? " (" : "", of[i]->latin ? of[i]->latin : "",
-                              of[i]->latin ? ")" : "");
+                              of[i]->key, named ? " (" : "",
+                              !named ? 0
+                              : end  ? (int)(end - latin)
+                                     : (int)strlen(latin),
+                              named ? latin : "", named ? ")" : "");
+    }
     return text;
-}
-
-static bool near_key(const struct wf_species_library *l, const char *name, struct wf_arena *a)
-{
-    const char **keys = WF_TAKE(a, l->n + 1, const char *);
-    for (size_t i = 0; keys && i < l->n; i++) keys[i] = l->species[i].key;
-    return keys && wf_nearest(name, keys, l->n);
 }
 
 enum wf_status wf_species_path(const char *share, const char *name, const struct wf_laws *laws,
                                struct wf_arena *a, const char **path, struct wf_err *e)
 {
-    enum { NEAR_MAX = 6 };
+    enum { NEAR_MAX = 8 };
     const struct wf_species *found[NEAR_MAX];
     struct wf_species_library l;
     struct wf_diag d = { .arena = a }; /* tables with mistakes have no names */
@@ -146,11 +192,18 @@ enum wf_status wf_species_path(const char *share, const char *name, const struct
     size_t n = tables_that(&l, wf_text_folded(name, a), is_same, a, found, NEAR_MAX);
     if (n == 1) return *path = found[0]->file, WF_OK;
     if (n)
-        return wf_fail(e, WF_EINPUT, "%s: several species tables have that name%s?", name,
-                       tables_text("; did you mean", found, n, a));
-    n = tables_that(&l, wf_text_folded(name, a), overlaps, a, found, NEAR_MAX); /* larch is no birch */
-    if (!n && !near_key(&l, name, a)) n = wf_species_near(&l, name, a, found, NEAR_MAX);
-    if (!n) return wf_fail(e, unknown.code, "%s", unknown.text); /* with the nearest key, or with all */
-    return wf_fail(e, WF_EINPUT, "%s: there is no such file, and no shipped species table of that name%s?",
+        return wf_fail(e, WF_EINPUT, "%s: several species tables have that name%s", name,
+                       tables_text("; say which:", found, n, a));
+    n = tables_that(&l, wf_text_folded(name, a), is_genus, a, found, NEAR_MAX);
+    if (n > 1)
+        return wf_fail(e, WF_EINPUT, "%.60s: no shipped species table is of all of these trees%s", name,
+                       tables_text("; say which:", found, n, a));
+    if (!n) n = wf_species_near(&l, name, a, found, NEAR_MAX);
+    if (!n)
+        return wf_fail(e, WF_EINPUT,
+                       "%.60s: there is no such file, and no shipped species table of that name; 'windfirm "
+                       "species list' shows them",
+                       name);
+    return wf_fail(e, WF_EINPUT, "%.60s: there is no such file, and no shipped species table of that name%s?",
                    name, tables_text("; did you mean", found, n, a));
 }

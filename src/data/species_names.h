@@ -28,8 +28,9 @@ const char *wf_species_name(const struct wf_species *sp, size_t k, struct wf_are
  * does. */
 const char *wf_species_name_with(const struct wf_species *sp, const char *text, struct wf_arena *a);
 
-/* The tables nearest to a name that is none of theirs: one of their names contains it or is contained in it,
- * else the genus of a Latin name is the same, else the spelling of a name is near. Returned: how many of at
+/* The tables nearest to a name that is none of theirs: it is their genus ("Acer", "Acer sp."), else one of
+ * their names shares a word with it, contains it or is contained in it, else the genus of a Latin name is the
+ * same, else the spelling of a name is near. Returned: how many of at
  * most `room` stand in `out`. */
 size_t wf_species_near(const struct wf_species_library *l, const char *name, struct wf_arena *a,
                        const struct wf_species **out, size_t room);

@@ -496,6 +496,13 @@ static enum wf_status onto_mass(const struct wf_model *m, const struct carriers 
         return wf_fail(e, WF_EINPUT,
                        "%s: crown mass is for a tree without branches; the branches drawn have their own",
                        m->key);
+    if (!(sail > 0) && m->season == WF_LEAF_OFF && m->silhouette.leafless == 0 &&
+        wf_silhouette_area(&m->silhouette) > 0)
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s: a leaf_off_share of 0 leaves nothing of the crown for the wind to catch; its branches "
+            "are not drawn and catch it. Give more than 0; 0.5 is taken unless it is given",
+            m->key);
     if (!(sail > 0))
         return wf_fail(e, WF_EINPUT, "%s: crown mass is given, but the tree has no crown to carry it",
                        m->key);

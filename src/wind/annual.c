@@ -47,7 +47,8 @@ static enum wf_status read_table(struct wf_csv *c, const struct wf_annual_reques
         bool good = wf_column_number(c, of_speed, factor, 1e-6, highest, &speed);
         if (of_year != WF_CSV_NONE) good = wf_csv_integer(c, of_year, 1, 9999, &year) && good;
         for (size_t i = 0; good && i < out->n; i++)
-            if (out->year[i].year == year) wf_csv_mistake(c, of_year, "year %lld is there already", year);
+            if (out->year[i].year == year)
+                wf_csv_mistake(c, of_year, "year %lld is there already", year), good = false;
         if (!good) continue;
         if (out->n == YEARS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d years", c->file, YEARS_MAX);
         out->year[out->n++] = (struct wf_annual_year){ (int)year, 1, speed, true };
