@@ -178,6 +178,19 @@
       <xsl:call-template name="scenarios-computed"><xsl:with-param name="items" select="$items"/></xsl:call-template>
     </xsl:when>
   </xsl:choose>
+  <xsl:if test="$items[gustier = 'true']"><p class="note">
+    <xsl:for-each select="$items[gustier = 'true']">
+      <xsl:if test="position() &gt; 1"><xsl:value-of select="$gap"/></xsl:if>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">sc.gustier</xsl:with-param>
+        <xsl:with-param name="a" select="name"/>
+        <xsl:with-param name="b" select="format-number(branch_gusts, '0.00')"/>
+        <xsl:with-param name="c" select="format-number(../item[1]/branch_gusts, '0.00')"/>
+        <xsl:with-param name="d" select="format-number(branch_damping, '0.000')"/>
+        <xsl:with-param name="e" select="format-number(../item[1]/branch_damping, '0.000')"/>
+      </xsl:call-template>
+    </xsl:for-each>
+  </p></xsl:if>
   <xsl:if test="$items/holds/item">
     <xsl:call-template name="scenario-forces"><xsl:with-param name="items" select="$items"/></xsl:call-template>
   </xsl:if>

@@ -176,6 +176,15 @@ static void reports(void **state)
 {
     (void)state;
     static const struct row rows[] = {
+        /* each names what it was assessed from */
+        { "printf 'species,soil,rooting,Nm_per_kg\noak,,,180\n' >$T/a.csv; (printf '" HEAD
+          "'; echo 1,oak,20,250,14,4,) >$T/t.csv; $W assess $T/t.csv -q --samples 0 -o $T/o.csv --reports "
+          "$T/r "
+          "--no-report --extremes docs/examples/annual.csv --anchorage-table $T/a.csv" WIND
+          "; python3 -c \"import json; print([f['role'] for f in "
+          "json.load(open('$T/r/row_2/results.json'))['provenance']['files']])\"",
+          CODE_OK,
+          { "['table', 'species', 'extremes', 'anchorage']" } },
         { "printf '# park\\n" HEAD
           "1,oak,20,250,14,4,\\n2,oka,20,250,14,4,\\n3,ash,18,150,9,3,\\n' >$T/t.csv; $W assess "
           "$T/t.csv -q -o $T/o.csv --reports $T/r --no-pdf" WIND
@@ -629,6 +638,20 @@ static void interrupted_rows_are_not_written(void **state)
           "$T/o.csv $T/whole && echo alike",
           CODE_OK,
           { "ended 143\n", "the same command goes on from", "\nbegins alike\n1\nalike\n" } },
+        /* rows are in the table as soon as they and those before them are finished: a second signal, which
+           ends the program at once, loses none of them, although 59 rows are read together */
+        { "(printf '" HEAD
+          "'; for i in $(seq 1 59); do echo $i,oak,20,$((200+i)),14,4,; done) >$T/t.csv; A=\"$W assess "
+          "$T/t.csv --samples 256 --threads 1" WIND
+          "\"; $A -o $T/o.csv >$T/log 2>&1 & p=$!; for i in $(seq 600); do [ "
+          "\"$(cat $T/o.csv.partial 2>/dev/null | wc -l)\" "
+          "-ge 4 ] && break; sleep 0.02; done; kill $p; kill $p; kill -KILL $p; wait $p; n=$(wc -l "
+          "<$T/o.csv.partial); [ $n -ge 4 ] && [ $n -lt 60 ] && echo kept; $A -o $T/o.csv 2>&1 | grep -o "
+          "'goes on after [0-9]* rows' >$T/said; [ \"$(cat $T/said)\" = \"goes on after $((n-1)) rows\" ] && "
+          "echo "
+          "goes on; grep -c assessed $T/o.csv",
+          CODE_OK,
+          { "kept\ngoes on\n59\n" } },
     };
     CHECK(rows);
 }

@@ -93,6 +93,17 @@ static void checked(void **state)
     expect(c, WF_OK, 0, NULL);
     c.girth = 0.36 * PI;
     expect(c, WF_OK, 0, "less than");
+    c = oak(), c.crown_base = 19.9;
+    expect(c, WF_OK, 0, "a crown 0.1 m deep, 0.5 % of the height");
+    c.crown_base = 14.2;
+    expect(c, WF_OK, 0, "29 % of the height");
+    c.crown_base = 13.9;
+    expect(c, WF_OK, 0, NULL);
+    /* grown in a stand: 66 times as high as thick */
+    c = (struct wf_card){ .height = 20, .dbh = 0.3, .girth = NAN, .crown_width = 3.5, .crown_base = 15.9 };
+    expect(c, WF_OK, 0, NULL);
+    c.crown_base = 16.1;
+    expect(c, WF_OK, 0, "a crown 3.9 m deep");
 }
 
 static void model(void **state)

@@ -396,3 +396,42 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     s->winter = o->winter_wind, s->carried *= s->winter;
     return status;
 }
+
+/* ---- Files ---- */
+
+enum wf_status wf_inputs_note(struct wf_inputs *in, const char *role, const char *path, struct wf_err *e)
+{
+    return wf_input_file_note(role, path, in->arena, &in->item[in->n++], e);
+}
+
+/* Files that say where cavities are, and their rays. */
+static enum wf_status note_cavities(const struct wf_model *m, struct wf_inputs *in, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    const struct wf_cavity *c = m->cavity;
+    for (size_t k = 0; k < m->cavities && !s; k++) {
+        bool known =
+            !c[k].line || (m->file && !strcmp(c[k].file, m->file)) || (k && c[k].file == c[k - 1].file);
+        if (!known) s = wf_inputs_note(in, "cavities", c[k].file, e);
+        if (!s && c[k].rays_file) s = wf_inputs_note(in, "rays", c[k].rays_file, e);
+    }
+    return s;
+}
+
+enum wf_status wf_analyze_files_note(const struct wf_analyze_options *o, const struct wf_analyze_request *q,
+                                     const struct wf_model *m, struct wf_inputs *in, struct wf_err *e)
+{
+    const struct wf_anchorage_asked *roots = &o->anchorage;
+    const struct {
+        const char *role, *path; /* NULL: not given */
+    } file[] = { { "outline", o->tree.outline },
+                 { "profile", q->scenario.profile_file },
+                 { "peak", o->peak.table },
+                 { "anchorage", roots->curve ? roots->curve : roots->table },
+                 { "ground", q->scenario.site ? q->scenario.site->file : NULL },
+                 { "climate", q->directions.climate_file } };
+    enum wf_status s = note_cavities(m, in, e);
+    for (size_t k = 0; k < WF_COUNT(file) && !s; k++)
+        if (file[k].path) s = wf_inputs_note(in, file[k].role, file[k].path, e);
+    return s;
+}

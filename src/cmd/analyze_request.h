@@ -7,6 +7,7 @@
 #include "cmd/option.h"
 #include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
+#include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
@@ -65,4 +66,18 @@ struct wf_analyze_request {
  * their mistakes are in `d`, any other error is in `e`. */
 enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struct wf_arena *a,
                                        struct wf_diag *d, struct wf_analyze_request *out, struct wf_err *e);
+
+/* Files that a run has read. */
+struct wf_inputs {
+    struct wf_arena *arena;
+    size_t n;
+    struct wf_input_file *item; /* with room for species, the model, the study or the table, and */
+};
+enum { WF_OPTION_FILES = 12 + 2 * WF_CAVITIES_MAX };
+/* One more. Errors: WF_EMISSING, WF_ENOMEM. */
+enum wf_status wf_inputs_note(struct wf_inputs *in, const char *role, const char *path, struct wf_err *e);
+/* Those that options of a request name, but for the tree and the species: cavities with their rays, the
+ * crown's outline, winds, peak loads, anchorage, ground. Errors: as above. */
+enum wf_status wf_analyze_files_note(const struct wf_analyze_options *o, const struct wf_analyze_request *q,
+                                     const struct wf_model *m, struct wf_inputs *in, struct wf_err *e);
 #endif

@@ -27,12 +27,6 @@ static void speeds_solved(const struct wf_analysis *an, void *work)
     fflush(stdout);
 }
 
-static enum wf_status note_input(struct wf_analyze_work *w, const char *role, const char *path,
-                                 struct wf_err *e)
-{
-    return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
-}
-
 static void take_warnings(struct wf_diag *to, const struct wf_diag *from)
 {
     for (const struct wf_finding *f = from->first; f; f = f->next)
@@ -57,24 +51,6 @@ static void keep_climate_warnings(struct wf_analyze_work *w, const struct wf_dia
     w->tree.arena = &w->arena;
     for (const struct wf_finding *f = d->first; f; f = f->next)
         if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_pass(&w->tree, f);
-}
-
-static const char *anchorage_file(const struct wf_anchorage_asked *q)
-{
-    return q->curve ? q->curve : q->table;
-}
-
-/* Files that say where cavities are, and their rays. */
-static enum wf_status note_cavities(struct wf_analyze_work *w, struct wf_err *e)
-{
-    enum wf_status s = WF_OK;
-    const struct wf_cavity *c = w->model.cavity;
-    for (size_t k = 0; k < w->model.cavities && !s; k++) {
-        bool known = !c[k].line || !strcmp(c[k].file, w->model.file) || (k && c[k].file == c[k - 1].file);
-        if (!known) s = note_input(w, "cavities", c[k].file, e);
-        if (!s && c[k].rays_file) s = note_input(w, "rays", c[k].rays_file, e);
-    }
-    return s;
 }
 
 /* Model and species files; every mistake of every file is printed before the run is refused. */
@@ -112,7 +88,7 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
         if (!s) wf_show_name(w->species[k].name, w->species[k].name_zh);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
-        if (!s && (s = note_input(w, "species", path, e))) return s;
+        if (!s && (s = wf_inputs_note(&w->inputs, "species", path, e))) return s;
     }
     if (worst && first.code && !d.errors) wf_diag_error(&d, NULL, 0, 0, "%s", first.text);
     wf_print_findings(&d, w->options.args.quiet);
@@ -121,17 +97,10 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
     keep_climate_warnings(w, &d);
-    const char *const profile = w->request.scenario.profile_file,
-                      *const roots = anchorage_file(&w->options.anchorage),
-                      *const study = w->options.args.study,
-                      *const climate = w->request.directions.climate_file;
-    enum wf_status s = model ? wf_input_file_note("model", model, &w->arena, &w->input[0], e) : WF_OK;
-    if (!s && study) s = note_input(w, w->hooks ? "card" : "study", study, e);
-    if (!s) s = note_cavities(w, e);
-    if (!s && profile) s = note_input(w, "profile", profile, e);
-    if (!s && roots) s = note_input(w, "anchorage", roots, e);
-    if (!s && w->request.scenario.site) s = note_input(w, "ground", w->request.scenario.site->file, e);
-    return !s && climate ? note_input(w, "climate", climate, e) : s;
+    const char *const study = w->options.args.study;
+    enum wf_status s = model ? wf_input_file_note("model", model, &w->arena, &w->inputs.item[0], e) : WF_OK;
+    if (!s && study) s = wf_inputs_note(&w->inputs, w->hooks ? "card" : "study", study, e);
+    return s ? s : wf_analyze_files_note(&w->options, &w->request, &w->model, &w->inputs, e);
 }
 
 /* Analyse the wind from all directions, where specified. */
@@ -263,8 +232,9 @@ enum wf_status wf_analyze_run(struct wf_analyze_work *w, int argc, char **argv, 
     size_t n = w->options.args.n;
     w->species = WF_TAKE(&w->arena, n, struct wf_species);
     w->analysis = WF_TAKE(&w->arena, n, struct wf_analysis);
-    w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
-    w->inputs = 1; /* the first place is kept for the model */
+    /* the first place is kept for the model */
+    w->inputs =
+        (struct wf_inputs){ &w->arena, 1, WF_TAKE(&w->arena, n + WF_OPTION_FILES, struct wf_input_file) };
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
     struct wf_run run = { .command = wf_command_line(argc, argv, &w->arena),
                           .version = WF_VERSION,
@@ -273,12 +243,12 @@ enum wf_status wf_analyze_run(struct wf_analyze_work *w, int argc, char **argv, 
                           .job = &w->options.job,
                           .n = n,
                           .analysis = w->analysis,
-                          .input = w->input };
-    if (!w->species || !w->analysis || !w->input || !w->diag || !run.command || !run.date)
+                          .input = w->inputs.item };
+    if (!w->species || !w->analysis || !w->inputs.item || !w->diag || !run.command || !run.date)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
-    size_t none = !w->input[0].path; /* the tree is of no file */
-    run.input += none, run.inputs = w->inputs - none;
+    size_t none = !w->inputs.item[0].path; /* the tree is of no file */
+    run.input += none, run.inputs = w->inputs.n - none;
     bool pages = !w->options.pages.none, whole = false;
     if (!s && w->hooks) s = w->hooks->before(w, e);
     if (!s && w->folder) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);

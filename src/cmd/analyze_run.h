@@ -7,10 +7,6 @@
 #include "out/results.h"
 #include <time.h>
 
-enum {
-    OTHER_FILES = 6 + 2 * WF_CAVITIES_MAX
-}; /* model, study, profile, climate, ground, anchorage; of cavities */
-
 struct wf_analyze_work;
 /* What another command does at some points of the run, with its own struct, which begins with the work. */
 struct wf_analyze_hooks {
@@ -34,8 +30,7 @@ struct wf_analyze_work {
     struct wf_model model;
     struct wf_species *species;
     struct wf_analysis *analysis;
-    size_t inputs;
-    struct wf_input_file *input;
+    struct wf_inputs inputs;
     struct wf_diag *diag; /* one per species */
     size_t solved;        /* trees whose given speeds were printed */
     bool all_models;      /* of the scan: say how far they differ */

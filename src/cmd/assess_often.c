@@ -88,6 +88,15 @@ static enum wf_status read_maxima(const char *file, struct wf_arena *a, struct w
     return WF_OK;
 }
 
+enum wf_status wf_assess_often_note(const char *path, struct wf_inputs *in, struct wf_err *e)
+{
+    struct stat is;
+    bool folder = !stat(path, &is) && S_ISDIR(is.st_mode);
+    const char *file = folder ? wf_arena_print(in->arena, "%s/%s", path, WF_DOCUMENT) : path;
+    return file ? wf_inputs_note(in, "extremes", file, e)
+                : wf_fail(e, WF_ENOMEM, "not enough memory for extremes");
+}
+
 enum wf_status wf_assess_often_read(const char *path, struct wf_arena *a, struct wf_diag *d,
                                     struct wf_assess_often *out, struct wf_err *e)
 {

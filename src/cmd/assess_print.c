@@ -349,7 +349,10 @@ static void print_scenarios(FILE *to, const struct wf_analysis *an)
                 x->required, 100 * x->reduction, 100 * x->reduction_cut);
     else if (isinf(x->reduction))
         wf_show(to, "  no reduction of the crown up to 60 %% reaches a safety of %.6g\n", x->required);
-    if (an->beside) print_table(to, an->beside, x->required);
+    if (an->beside) {
+        print_table(to, an->beside, x->required);
+        wf_print_beside_gusts(to, an->beside->n, an->beside->item);
+    }
     for (size_t k = 0; k < x->scenarios; k++) flagged = flagged || x->scenario[k].cut > WF_ASSESS_CUT_FLAGGED;
     if (x->scenarios) wf_show(to, "  scenarios are without an interval: 'incomplete' may be uncertain\n");
     wf_print_beside_holds(to, x->scenarios, x->scenario);

@@ -10,10 +10,12 @@
 #include "cmd/assess_row.h"
 #include "cmd/commands.h"
 #include "cmd/press.h"
+#include "data/species.h"
 #include "out/results.h"
 #include "out/workbook.h"
 #include <errno.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +26,8 @@
 #include <malloc.h>
 #endif
 
-enum { BATCH = 128, SCANS = 8 }; /* rows at a time; of them trees of files, which are larger */
+/* Rows at a time; of them trees of files, which are larger; where each has a report. */
+enum { BATCH = 128, SCANS = 8, REPORTS = 16 };
 
 struct table {
     struct wf_assess_options *line;
@@ -37,6 +40,9 @@ struct table {
     FILE *to;
     char *before; /* lines before the header, and the header */
     struct wf_tree_row row[BATCH];
+    pthread_mutex_t lock;  /* of the rows that are finished and of what is written */
+    size_t rows_read, put; /* rows of the batch, and those of them in the table */
+    bool finished[BATCH];
     struct wf_press press; /* of the reports */
     size_t written;        /* rows in the table, blank ones too */
     size_t done, mistakes, failed;
@@ -134,19 +140,39 @@ static enum wf_status begin_table(struct table *t, const char *note, struct wf_e
 
 /* ---- Rows ---- */
 
-static enum wf_status assess(void *context, size_t k, struct wf_err *e)
-{
-    struct table *t = context;
-    (void)e;
-    wf_tree_row_assess(&t->row[k]);
-    return WF_OK;
-}
-
 static void count(struct table *t, const struct wf_tree_row *r)
 {
     t->done += r->state == WF_ROW_DONE;
     t->mistakes += r->state == WF_ROW_MISTAKE;
     t->failed += r->state == WF_ROW_FAILED;
+}
+
+/* Rows of the batch up to `end` into the table and out of the program, so that nothing that is finished is
+ * lost when it is ended. */
+static enum wf_status put_rows(struct table *t, size_t end, struct wf_err *e)
+{
+    if (t->put >= end) return WF_OK;
+    for (; t->put < end; t->put++, t->written++) {
+        wf_tree_row_write(t->columns, &t->row[t->put], t->to);
+        count(t, &t->row[t->put]);
+    }
+    return fflush(t->to) ? out_error(t, e) : WF_OK;
+}
+
+/* A row that has a report is finished when that is in place. */
+static enum wf_status assess(void *context, size_t k, struct wf_err *e)
+{
+    struct table *t = context;
+    enum wf_status s = WF_OK;
+    wf_tree_row_assess(&t->row[k]);
+    if (t->line->reports || t->row[k].state == WF_ROW_READ) return WF_OK; /* or it was interrupted */
+    (void)pthread_mutex_lock(&t->lock);
+    t->finished[k] = true;
+    size_t end = t->put;
+    while (end < t->rows_read && t->finished[end]) end++;
+    s = put_rows(t, end, e);
+    (void)pthread_mutex_unlock(&t->lock);
+    return s;
 }
 
 /* Which tree the page of a row is of: its number, or file and line of the table. NULL: no memory. */
@@ -157,14 +183,27 @@ static const char *tree_said(const struct table *t, struct wf_tree_row *row)
     return wf_arena_print(&row->arena, "%s:%zu", name ? name + 1 : file, row->line);
 }
 
+/* The files that a row was assessed from. */
+static enum wf_status note_files(const struct table *t, struct wf_tree_row *row, struct wf_inputs *in,
+                                 struct wf_err *e)
+{
+    const struct wf_assess_case *x = &row->single;
+    *in = (struct wf_inputs){ &row->arena, 1, WF_TAKE(&row->arena, WF_OPTION_FILES, struct wf_input_file) };
+    if (!in->item) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
+    in->item[0] = t->input;
+    enum wf_status s = wf_inputs_note(in, "species", x->species->file, e);
+    if (!s && x->options.scan) s = wf_inputs_note(in, "model", x->options.scan, e);
+    if (!s && t->line->extremes) s = wf_assess_often_note(t->line->extremes, in, e);
+    return s ? s : wf_analyze_files_note(&x->options.run, &x->request, &x->model, in, e);
+}
+
 /* Results and pages of a row that was assessed. */
 static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
 {
     struct wf_tree_row *row = &t->row[k];
     const struct wf_pages *pages = &t->line->run.pages;
     struct wf_run_folder folder = { 0 };
-    struct wf_input_file input[2] = { t->input };
-    const char *scan = row->single.options.scan;
+    struct wf_inputs in;
     struct wf_job job = t->line->run.job;
     job.tree_number = tree_said(t, row);
     job.photo = NULL, job.logo = NULL;
@@ -173,14 +212,13 @@ static enum wf_status report(struct table *t, size_t k, struct wf_err *e)
                           .version = WF_VERSION,
                           .date = wf_run_date(&row->arena),
                           .n = 1,
-                          .analysis = &row->single.an,
-                          .inputs = scan ? 2 : 1,
-                          .input = input };
+                          .analysis = &row->single.an };
     char *path = wf_arena_print(&row->arena, "%s/row_%zu", t->line->reports, row->line);
     if (!path || !run.date || !job.tree_number)
         return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
     row->single.an.assessment = &row->single.x;
-    enum wf_status s = scan ? wf_input_file_note("model", scan, &row->arena, &input[1], e) : WF_OK;
+    enum wf_status s = note_files(t, row, &in, e);
+    run.inputs = in.n, run.input = in.item;
     if (!s) s = wf_results_begin(&folder, path, pages->none ? NULL : "report", e);
     if (!s) s = wf_results_write(&run, folder.stage, e);
     if (!s) return wf_press_put(&t->press, &folder, k, pages, &row->arena, e);
@@ -199,6 +237,7 @@ static enum wf_status report_all(struct table *t, size_t n, size_t *good, struct
     for (*good = 0; *good < n && !s && !wf_interrupted();) {
         if (t->row[*good].state == WF_ROW_DONE) s = report(t, *good, e);
         *good += !wf_interrupted();
+        if (!s) s = put_rows(t, wf_press_placed(&t->press, *good), e);
     }
     enum wf_status last = wf_press_drain(&t->press, s ? &after : e);
     if (t->press.failed < *good) *good = t->press.failed;
@@ -234,20 +273,20 @@ static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
 {
     enum wf_status s = WF_OK;
     size_t scans = 0;
-    for (*n = 0; *n < BATCH && scans < SCANS && !s && wf_rows_next(&t->rows);) {
+    const size_t most = t->line->reports ? REPORTS : BATCH;
+    for (*n = 0; *n < most && scans < SCANS && !s && wf_rows_next(&t->rows);) {
         count_formulas(t);
         s = wf_tree_row_read(t->columns, &t->rows, &t->row[*n], e);
+        t->finished[*n] = false;
         scans += t->row[(*n)++].single.options.scan != NULL;
     }
     size_t good = 0;
+    t->rows_read = *n, t->put = 0;
     if (!s) s = assess_all(t, *n, &good, e);
     if (!s && t->line->reports) s = report_all(t, good, &good, e);
-    for (size_t k = 0; k < *n; k++) {
-        if (k < good) wf_tree_row_write(t->columns, &t->row[k], t->to), count(t, &t->row[k]), t->written++;
-        wf_arena_free(&t->row[k].arena);
-    }
-    if (!s && fflush(t->to)) s = out_error(t, e);
-    return s;
+    enum wf_status put = put_rows(t, good, s ? &(struct wf_err){ 0 } : e);
+    for (size_t k = 0; k < *n; k++) wf_arena_free(&t->row[k].arena);
+    return s ? s : put;
 }
 
 static double since(const struct timespec *from)
@@ -439,12 +478,14 @@ int wf_assess_table(const char *file, struct wf_assess_options *line, const char
     int code = 1;
     if (!t) return wf_complain(&(struct wf_err){ WF_ENOMEM, "not enough memory for a table" });
     t->line = line;
+    (void)pthread_mutex_init(&t->lock, NULL);
     enum wf_status s = run(t, file, command, &e);
     if (s)
         code = wf_complain(&e);
     else
         code = t->mistakes ? 2 : t->failed ? 1 : 0;
     if (t->to) fclose(t->to);
+    (void)pthread_mutex_destroy(&t->lock);
     wf_rows_close(&t->rows);
     wf_tree_columns_close(t->columns);
     wf_arena_free(&t->arena);

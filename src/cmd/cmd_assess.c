@@ -10,6 +10,7 @@
 #include "cmd/assess_scenarios.h"
 #include "cmd/assess_table.h"
 #include "data/species.h"
+#include "out/folder.h"
 #include "study/assessment.h"
 #include "study/directions.h"
 #include <math.h>
@@ -23,6 +24,17 @@ struct work {
     struct wf_assess_direction direction[WF_ASSESS_DIRECTIONS];
 };
 
+/* Results of the fit, its study and its model. */
+static enum wf_status note_fit(struct work *w, struct wf_err *e)
+{
+    struct wf_inputs *in = &w->run.inputs;
+    const char *results = wf_arena_print(in->arena, "%s/%s", w->options.from, WF_DOCUMENT);
+    if (!results) return wf_fail(e, WF_ENOMEM, "not enough memory for a fit");
+    enum wf_status s = wf_input_file_note("model", w->fit.model, in->arena, &in->item[0], e);
+    if (!s) s = wf_inputs_note(in, "fit", results, e);
+    return s ? s : wf_inputs_note(in, "study", w->fit.study, e);
+}
+
 /* The tree of a fit, with its fitted values. */
 static enum wf_status take_fit(struct work *w, struct wf_diag *d, struct wf_err *e)
 {
@@ -31,6 +43,7 @@ static enum wf_status take_fit(struct work *w, struct wf_diag *d, struct wf_err 
     run->options.args.n = s ? 0 : 1; /* without a fit there is no species */
     run->options.args.operand[0] = w->fit.species;
     if (!s) s = wf_assess_fit_model(&w->fit, &run->options, &run->arena, &run->model, d, e);
+    if (!s) s = note_fit(w, e);
     if (!s && w->options.name) run->model.name = w->options.name;
     return s ? s : wf_assess_list_read(&w->options, &run->arena, d, &w->list, e);
 }
@@ -44,7 +57,9 @@ static enum wf_status take_tree(struct wf_analyze_work *run, struct wf_diag *d, 
     struct wf_err why = { WF_OK, "" };
     if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
     const char *extremes = w->options.extremes;
-    if (extremes && wf_assess_often_read(extremes, &run->arena, d, &w->options.often, e)) return e->code;
+    if (extremes && (wf_assess_often_read(extremes, &run->arena, d, &w->options.often, e) ||
+                     wf_assess_often_note(extremes, &run->inputs, e)))
+        return e->code;
     if (w->options.from) return take_fit(w, d, e);
     if (wf_assess_list_read(&w->options, &run->arena, d, &w->list, e)) return e->code;
     bool known = !wf_species_named(w->options.species, &run->arena, sp, &unsaid, &why);

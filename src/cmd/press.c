@@ -54,6 +54,13 @@ enum wf_status wf_press_put(struct wf_press *p, struct wf_run_folder *r, size_t 
     return s;
 }
 
+size_t wf_press_placed(const struct wf_press *p, size_t end)
+{
+    for (size_t k = 0; k < p->places; k++)
+        if (p->place[k].taken && p->place[k].number < end) end = p->place[k].number;
+    return p->failed < end ? p->failed : end;
+}
+
 enum wf_status wf_press_drain(struct wf_press *p, struct wf_err *e)
 {
     enum wf_status first = WF_OK;

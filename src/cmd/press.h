@@ -30,6 +30,8 @@ void wf_press_open(struct wf_press *p, size_t threads);
  * An error may be that of a folder that was given before: `failed` says which is the first. */
 enum wf_status wf_press_put(struct wf_press *p, struct wf_run_folder *r, size_t number,
                             const struct wf_pages *pages, struct wf_arena *a, struct wf_err *e);
+/* The least number of a folder that is not in place, at most `end`. */
+size_t wf_press_placed(const struct wf_press *p, size_t end);
 /* Wait until all folders are in place. Errors: as wf_results_end, of the first that failed. */
 enum wf_status wf_press_drain(struct wf_press *p, struct wf_err *e);
 /* End all processes; folders that are not in place are given up. */

@@ -118,6 +118,18 @@ void wf_print_beside_holds(FILE *to, size_t n, const struct wf_beside *x)
         }
 }
 
+void wf_print_beside_gusts(FILE *to, size_t n, const struct wf_beside *x)
+{
+    for (size_t k = 1; k < n; k++)
+        if (wf_beside_gustier(&x[k], &x[0]))
+            wf_show(
+                to,
+                "  %s: its branches are less safe because those that stay bear nearly the load they had, and "
+                "gusts make it %.2f in place of %.2f times the mean: a smaller crown damps its sway less "
+                "(%.3f in place of %.3f of critical)\n",
+                x[k].name, x[k].branch_gusts, x[0].branch_gusts, x[k].damping, x[0].damping);
+}
+
 void wf_print_beside(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_besides *r = an->beside;
@@ -143,5 +155,6 @@ void wf_print_beside(FILE *to, const struct wf_analysis *an)
         to,
         "  '-': none found. What is left keeps its shape; the wound, new sprouts and more wind on what was "
         "sheltered are not computed\n");
+    wf_print_beside_gusts(to, r->n, r->item);
     wf_print_beside_holds(to, r->n, r->item);
 }

@@ -11,6 +11,10 @@ void wf_print_holds(FILE *to, const struct wf_analysis *an);
 void wf_print_beside(FILE *to, const struct wf_analysis *an);
 /* The forces of n of them. */
 void wf_print_beside_holds(FILE *to, size_t n, const struct wf_beside *x);
+/* Why branches of n of them are less safe than those of the first, the tree as it stands, where gusts are
+ * why.
+ */
+void wf_print_beside_gusts(FILE *to, size_t n, const struct wf_beside *x);
 /* A name in the first column of a table; a longer one on a line of its own above. */
 void wf_print_name(FILE *to, const char *name, int width);
 #endif

@@ -92,12 +92,16 @@ static void put_assessed(struct wf_doc *d, json_t *o, const struct wf_beside *x)
     wf_doc_put(d, o, "directions", wf_part_around(d, x->directions, x->direction));
 }
 
-static json_t *changed_part(struct wf_doc *d, const struct wf_beside *x)
+/* `stands`: the tree as it stands; NULL: not known. */
+static json_t *changed_part(struct wf_doc *d, const struct wf_beside *x, const struct wf_beside *stands)
 {
     json_t *o = wf_doc_object(d);
     put_changed(d, o, x->name ? x->name : "", x);
     wf_doc_quantity(d, o, "speed", x->speed, "m/s", NULL);
     wf_doc_quantity(d, o, "branch_safety", x->branches, "1", "no branch is listed, or no equilibrium");
+    wf_doc_number(d, o, "branch_gusts", x->branch_gusts);
+    wf_doc_number(d, o, "branch_damping", x->damping);
+    wf_doc_flag(d, o, "gustier", stands && wf_beside_gustier(x, stands));
     if (x->assessed) put_assessed(d, o, x);
     json_t *holds = wf_doc_put(d, o, "holds", wf_doc_array(d));
     for (size_t i = 0; i < x->holds; i++) wf_doc_add(d, holds, hold_part(d, &x->hold[i]));
@@ -107,7 +111,8 @@ static json_t *changed_part(struct wf_doc *d, const struct wf_beside *x)
 json_t *wf_part_beside(struct wf_doc *d, size_t n, const struct wf_beside *list)
 {
     json_t *out = wf_doc_array(d);
-    for (size_t k = 0; k < n; k++) wf_doc_add(d, out, changed_part(d, &list[k]));
+    const struct wf_beside *stands = n && !list[0].name ? &list[0] : NULL;
+    for (size_t k = 0; k < n; k++) wf_doc_add(d, out, changed_part(d, &list[k], stands));
     return out;
 }
 

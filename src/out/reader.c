@@ -26,11 +26,12 @@ static const struct {
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
-    { FLAG, "from_specified open conifer damping_known staged as_printed converged energy estimated given "
-            "nuisance priors "
-            "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree "
-            "applies unsaid "
-            "sigma_estimated small_deflection spectral stopped used within within_limits" },
+    { FLAG,
+      "from_specified gustier open conifer damping_known staged as_printed converged energy estimated given "
+      "nuisance priors "
+      "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree "
+      "applies unsaid "
+      "sigma_estimated small_deflection spectral stopped used within within_limits" },
     { LIST, "guys braces record removals scenarios holds union_classes largest_unions cavities wall_limits "
             "least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "
@@ -66,7 +67,7 @@ static const struct {
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
               "exceedance_a_year exceedance_over_life life_years return_period_low return_period_high "
-              "exceedance_at_low_end "
+              "exceedance_at_low_end branch_gusts branch_damping "
               "required cut least_reduction least_reduction_cut "
               "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
               "frequency_with_restoring damping_ratio" },

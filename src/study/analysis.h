@@ -55,6 +55,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
 
 /* A warning that also a scenario's reader must see. */
 #define WF_EVERGREEN "evergreen"
+#define WF_ANCHORAGE_SOIL "anchorage-soil"
 /* The last step of an analysis, in limits.c: check it against the validity of its laws and methods.
  * Given: an analysis complete except for its warnings. Returned: the warnings added to `d`. */
 void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);

@@ -5,6 +5,7 @@
 #include "study/brace.h"
 #include "study/directions.h"
 #include "study/guy.h"
+#include "study/peak.h"
 #include "study/verdict.h"
 #include <math.h>
 #include <string.h>
@@ -105,15 +106,26 @@ enum wf_status wf_beside_take(const struct wf_analysis *an, struct wf_arena *a, 
                                .breakage = NAN,
                                .overturning = NAN };
     out->branches = at->status ? (double)NAN : an->search.bare ? an->branch_safety : listed_branches(an);
+    struct wf_peak_parts gusts = { .factor = NAN, .damping = NAN };
+    if (wf_peak_branches(an->peak)) wf_peak_parts_at(an->peak, at->speed, WF_PART_BRANCHES, &gusts);
+    out->branch_gusts = gusts.factor, out->damping = gusts.damping;
     out->critical = c && c->outcome == WF_CRITICAL_FOUND ? c->speed : (double)NAN;
     out->searched = c && c->outcome == WF_CRITICAL_ABOVE ? c->speed_high : (double)NAN;
     return wf_beside_holds(an, a, &out->holds, &out->hold, e);
 }
 
+bool wf_beside_gustier(const struct wf_beside *x, const struct wf_beside *stands)
+{
+    const double alike = 5e-3;
+    return x->branches < stands->branches * (1 - alike) &&
+           x->branch_gusts > stands->branch_gusts * (1 + alike) && x->damping < stands->damping;
+}
+
 void wf_beside_pass(const struct wf_diag *from, struct wf_diag *to)
 {
     for (const struct wf_finding *f = from->first; f; f = f->next)
-        if (f->code && !strcmp(f->code, WF_EVERGREEN)) wf_diag_pass(to, f);
+        if (f->code && (!strcmp(f->code, WF_EVERGREEN) || !strcmp(f->code, WF_ANCHORAGE_SOIL)))
+            wf_diag_pass(to, f);
 }
 
 enum wf_status wf_beside_check(const struct wf_species *sp, const struct wf_model *m,

@@ -29,8 +29,10 @@ struct wf_beside {
     double drag, weight, base_moment; /* of the whole tree [N], [N m]; NAN: no equilibrium */
     double safety;                    /* the least of the stem against loss of the tree [-] */
     double branches; /* the least of the branches that are listed [-]; NAN: none are, or not known */
-    double critical; /* wind in which the tree is lost; NAN: none found [m/s] */
-    double searched; /* none was found up to this wind; NAN: one was, or it is not known [m/s] */
+    double branch_gusts, damping; /* peak over mean load on branches that have a peak of their own, and the
+                                     damping of the sway [-]; NAN: they have none */
+    double critical;              /* wind in which the tree is lost; NAN: none found [m/s] */
+    double searched;              /* none was found up to this wind; NAN: one was, or it is not known [m/s] */
     size_t holds;
     const struct wf_beside_hold *hold;
     /* of an assessment, in the weakest direction */
@@ -52,6 +54,9 @@ enum wf_status wf_beside_take(const struct wf_analysis *an, struct wf_arena *a, 
 enum wf_status wf_beside_holds(const struct wf_analysis *an, struct wf_arena *a, size_t *n,
                                const struct wf_beside_hold **out, struct wf_err *e);
 
+/* Are its branches less safe than of the tree as it stands because gusts load them more? What stays of a
+ * smaller crown bears nearly the load it had, and the crown damps its sway less. */
+bool wf_beside_gustier(const struct wf_beside *x, const struct wf_beside *stands);
 /* Of the warnings of a scenario, those that decide whether it can be: onto the tree as it stands. */
 void wf_beside_pass(const struct wf_diag *from, struct wf_diag *to);
 

@@ -211,7 +211,7 @@ static void check_soil(const struct wf_analysis *an, struct wf_diag *d)
     const struct wf_soil *soil = an->anchorage->soil;
     if (!soil->known || soil->held == 1) return;
     wf_diag_warn(
-        d, "anchorage-soil",
+        d, WF_ANCHORAGE_SOIL,
         "%s: the anchorage, %.4g kN m, is that of other trees, none of which is known to have stood on %s: "
         "it may be too strong. Of one stem mass, conifers pulled in Britain held %.2f times as much there "
         "as on freely draining mineral soil (ForestGALES' table after Nicoll et al. 2006), which only "
