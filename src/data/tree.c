@@ -181,10 +181,10 @@ double wf_tree_height(const struct wf_tree *t)
 double wf_tree_length(const struct wf_tree *t, size_t i)
 {
     double c[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
-    double chord = hypot(hypot(c[0], c[1]), c[2]);
+    double chord = sqrt(wf_dot(c, c));
     if (!t->bend) return chord;
     const double *k = t->bend + 3 * i;
-    double half = 0.5 * chord * hypot(hypot(k[0], k[1]), k[2]);
+    double half = 0.5 * chord * sqrt(wf_dot(k, k));
     return half > 0 ? chord * (asin(fmin(half, 1.0)) / half) : chord;
 }
 
