@@ -295,6 +295,18 @@ static void every_direction_counts(void **state)
 {
     (void)state;
     static const struct row rows[] = {
+        /* of a ridge the weakest direction is found, whatever the model's axes */
+        { "for n in 0deg 40deg; do $W assess --species oak --height 20m --girth 2.5m --crown-width 14m "
+          "--crown-base 4m --soil mineral --wind 20 --samples 0 --dem docs/examples/heights.asc --at "
+          "1700,1450 "
+          "--north $n | grep 'against over\\|y wind\\|gov.*dir' | cut -c1-44; done",
+          CODE_OK,
+          { "overturning      0.74", "wind from 270 deg", "wind from 95 deg" } },
+        { "$W assess --species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --lean 9deg "
+          "--wind "
+          "20 --samples 0",
+          CODE_OK,
+          { "(--lean-towards): directions are as if it leaned towards 90 deg" } },
         /* a spruce 100 times as high as thick does not stand under its crown: it is said, in a table too */
         { "A='--soil mineral --samples 0 --wind 20'; $W assess --species norway_spruce --height 35m --dbh "
           "0.35m "
