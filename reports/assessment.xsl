@@ -118,7 +118,7 @@
         <xsl:call-template name="compass"><xsl:with-param name="of" select="assessment"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of" select="'as.c.from:°;as.breakage:;as.overturning:'"/>
+      <xsl:with-param name="of" select="'as.c.from:°;as.c.breakage:;as.c.overturning:'"/>
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="assessment/directions/item">

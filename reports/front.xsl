@@ -87,6 +87,41 @@
   </xsl:if>
 </xsl:template>
 
+<!-- What is on the tree, and how much of the wind blows with it. -->
+<xsl:template name="front-load">
+  <xsl:variable name="s" select="scenario"/>
+  <xsl:if test="$s/snow/value &gt; 0">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">fp.snow</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$s/snow/value"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
+  <xsl:if test="$s/ice/value &gt; 0">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">fp.ice</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="1000 * $s/ice/value"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
+  <xsl:if test="wetted/film_mm &gt; 0">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">fp.rain</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="wetted/film_mm"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
+  <xsl:if test="$s/winter_wind/value &lt; 1">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">fp.share</xsl:with-param>
+      <xsl:with-param name="a" select="format-number(100 * $s/winter_wind/value, '0.#')"/>
+    </xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
 <!-- Rows of the stem: its elastic limit, its breakage, and another criterion where that is nearer than both. -->
 <xsl:template name="front-stem">
   <xsl:variable name="u"><xsl:call-template name="front-wind"/></xsl:variable>
@@ -520,6 +555,7 @@
         <xsl:with-param name="d" select="scenario/wind_terrain"/><xsl:with-param name="e" select="scenario/design"/>
         <xsl:with-param name="f" select="scenario/terrain"/>
       </xsl:call-template>
+      <xsl:call-template name="front-load"/>
       <xsl:for-each select="assessment/because/item">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.because.', reason)"/></xsl:call-template>

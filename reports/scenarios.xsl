@@ -85,7 +85,7 @@
     <xsl:call-template name="caption"><xsl:with-param name="id">as.t.scenarios</xsl:with-param></xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
       <xsl:with-param name="of">
-        <xsl:text>as.c.done;as.c.cut:%;as.breakage:;as.overturning:;</xsl:text>
+        <xsl:text>as.c.done;as.c.cut:%;as.c.breakage:;as.c.overturning:;</xsl:text>
         <xsl:if test="$listed">c.sc.branches:;</xsl:if>
         <xsl:text>c.wt.critical:m/s;as.c.word</xsl:text>
       </xsl:with-param>

@@ -492,6 +492,45 @@ static void from_fit(void **state)
     CHECK(rows);
 }
 
+/* What is on the tree stands beside the verdict; winds of which a share blows have no return period; a flag
+ * with a value and a share of 0 are refused as such; a year that is there already is one line. */
+static void beside_the_verdict(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W assess models/cards/oak.yaml --samples 0 --snow 20cm --winter-wind 0.4 --no-pdf -o $T/r; grep "
+          "-o 'With snow on "
+          "the crown, 30 kg/m² of its area seen from above.' $T/r/report.html; grep -o '40 % of them blows "
+          "while it is on the "
+          "tree' $T/r/report.html",
+          CODE_OK,
+          { "with snow on the crown, 30 kg/m2 of its area from above\n",
+            "of all winds named here 40 % blows while",
+            "return period of that wind: unknown: how often that share of it blows while snow or ice is on "
+            "the tree",
+            "With snow on the crown, 30 kg/m² of its area seen from above.\n40 % of them blows" } },
+        { "$W assess models/cards/oak.yaml --samples 0 --rain 20mm/h --no-pdf -o $T/r >/dev/null 2>&1; grep "
+          "-o 'With [0-9.]* mm "
+          "of rain on the leaves' $T/r/report.html; $W assess models/cards/oak.yaml --samples 0 --no-pdf -o "
+          "$T/q; grep -c 'With "
+          "[0-9.]* mm\\|With snow' $T/q/report.html",
+          CODE_RUN,
+          { "mm of rain on the leaves\n", "return period of that wind: about", "does not matter", "\n0\n" } },
+        { "$W assess models/cards/oak.yaml --leaf-off yes; $W assess models/cards/oak.yaml --leaf-off=no; $W "
+          "assess "
+          "models/cards/oak.yaml --season leaf_off --leaf-off-share 0; printf 'year,speed_ms\\n' >$T/a.csv; "
+          "for i in 0 1 2 3 4 5 6 7 8 9; do echo 2001,2$i >>$T/a.csv; done; $W assess models/cards/oak.yaml "
+          "--extremes $T/a.csv "
+          ">$T/said 2>&1; grep "
+          "-c 'year 2001 is there already' $T/said; cat $T/said",
+          CODE_OK,
+          { "--leaf-off: takes no value: write --leaf-off alone, or leave it out; not 'yes'",
+            "card: a leaf_off_share of 0 leaves nothing of the crown for the wind to catch", "\n9\n",
+            "windfirm: 9 mistakes in the input" } },
+    };
+    CHECK(rows);
+}
+
 static void refused(void **state)
 {
     (void)state;
@@ -569,6 +608,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(pages),
                                         cmocka_unit_test(cards),
+                                        cmocka_unit_test(beside_the_verdict),
                                         cmocka_unit_test(refused),
                                         cmocka_unit_test(scenarios),
                                         cmocka_unit_test(how_often),

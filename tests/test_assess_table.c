@@ -488,6 +488,30 @@ static void none_to_assess(void **state)
     CHECK(rows);
 }
 
+/* What is written is a file in a folder that is there; numbers that occur twice are said, as is a table that
+ * an earlier command began. */
+static void around_the_table(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "printf '" HEAD "7,oak,20,250,14,4,\n8,oak,20,250,14,4,\n7,oak,20,250,14,4,\n,oak,20,250,14,4,\n,"
+                          "oak,20,250,14,4,\n' "
+          ">$T/t.csv; mkfifo $T/p; for o in $T $T/p $T/no/o.csv; do $W assess $T/t.csv -o $o --wind 20; echo "
+          "$?; done; ls $T; $W "
+          "assess $T/t.csv -o $T/o.csv --wind 20",
+          CODE_OK,
+          { ": is a folder; a file is written, for example -o assessed.csv\n2\n",
+            "/p: is no file; a file is written, for example -o assessed.csv\n2\n", "/no\n2\np\nt.csv\n",
+            "rows whose tree number was there before: 1, the first in line 4; each is assessed by itself" } },
+        { "printf '" HEAD "7,oak,20,250,14,4,\n' >$T/t.csv; echo x >$T/o.csv.partial; echo y "
+                          ">$T/o.csv.partial.run; $W assess "
+          "$T/t.csv -o $T/o.csv --wind 20; ls $T",
+          CODE_OK,
+          { "o.csv.partial is of another command or table; it is begun anew", "\no.csv\nt.csv\n" } },
+    };
+    CHECK(rows);
+}
+
 /* A safety just below the required one is not printed as that: table, terminal and page. */
 static void just_below(void **state)
 {
@@ -683,14 +707,20 @@ static void rows_do_not_mix(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows),           cmocka_unit_test(tables),
-        cmocka_unit_test(reports),        cmocka_unit_test(hostile),
-        cmocka_unit_test(goes_on),        cmocka_unit_test(rows_do_not_mix),
-        cmocka_unit_test(languages),      cmocka_unit_test(heads),
-        cmocka_unit_test(other_options),  cmocka_unit_test(long_rows),
-        cmocka_unit_test(none_to_assess), cmocka_unit_test(just_below),
-        cmocka_unit_test(scans),          cmocka_unit_test(interrupted_rows_are_not_written)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(rows),
+                                        cmocka_unit_test(tables),
+                                        cmocka_unit_test(reports),
+                                        cmocka_unit_test(hostile),
+                                        cmocka_unit_test(goes_on),
+                                        cmocka_unit_test(rows_do_not_mix),
+                                        cmocka_unit_test(languages),
+                                        cmocka_unit_test(heads),
+                                        cmocka_unit_test(other_options),
+                                        cmocka_unit_test(long_rows),
+                                        cmocka_unit_test(none_to_assess),
+                                        cmocka_unit_test(just_below),
+                                        cmocka_unit_test(around_the_table),
+                                        cmocka_unit_test(scans),
+                                        cmocka_unit_test(interrupted_rows_are_not_written) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

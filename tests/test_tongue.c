@@ -116,6 +116,50 @@ static void terminal(void **state)
     CHECK(rows);
 }
 
+/* Mistakes of a command line, a card and a table, verdicts of scenarios, and texts that were put together.
+ * What is typed stays as it is typed. */
+static void mistakes(void **state)
+{
+    (void)state;
+#define CARD "--species oak --height 20 --girth 2.5 --crown-width 14 --crown-base 4"
+    static const struct row rows[] = {
+        { "printf 'card: x\nspecies: oak\nheigt: 20 m\ngirth: 2.5\ncrown_width: 14 m\ncrown_base: 4 "
+          "lb\nwind: "
+          "20\n' >$T/bad.yaml; printf 'a,b\n1,2\n' >$T/h.csv; while read -r x; do $W assess $x --lang zh; "
+          "done "
+          "2>&1 >/dev/null <<E | grep -v '警告' >$T/said\n"
+          "--species 松树\n--species oak --height 200 --girth 2,5\n--species Zzz --height abc --girth "
+          "2kg\n" CARD " --soil minera --wind\n" CARD " --lean 80 --bogus\n" CARD
+          " --wind 20 --scenarios thin=200%\n" CARD " --wind 20 --scenarios foo=1\n" CARD
+          " --leaf-off yes --wind 20\n" CARD " --wind 20 --season leaf_off --leaf-off-share 0\n" CARD
+          " --wind 20 --cavity 1.3m:900mm\n" CARD
+          " --wind 20 --guy 3m\n$T/h.csv --wind 20 -o $T/o\n--from none --height 20 --wind 20\n$T/bad.yaml\n"
+          "--species moso_bamboo --height 10 --girth 0.3 --crown-width 2 --crown-base 3 --wind 20\nE\n"
+          "sed -i \"s#$T/##\" $T/said; grep -v -e 'species list' -e minera $T/said | python3 tests/tongue.py "
+          "said; grep -c . "
+          "$T/said; cat $T/said",
+          CODE_OK,
+          { " 0 missing\n49\n", "未知键“heigt”；是否指“height”？",
+            "“4 lb”：“lb”不是长度的单位；可用：m, cm, mm",
+            "“minera”不属于 mineral, gleyed, peaty, peat, unknown；是否指“mineral”？",
+            "方案“thin=200%”：thin: 200% 超出 0..0.9" } },
+        { "$W assess models/cards/oak.yaml --lang zh --samples 0 --scenarios "
+          "reduce=3m,thin=15%,season=leaf_off,soil=peat 2>/dev/null >$T/said; python3 tests/tongue.py said "
+          "<$T/said; "
+          "sed -n '/处理或变化/,/^ *soil/p' $T/said | sed 's/.* //' | grep -c -e 损毁 -e 不确定 -e 不足; "
+          "grep -c "
+          "'其他 9 个种或类群合计 267 株' $T/said",
+          CODE_OK,
+          { " 0 missing\n5\n1\n" } },
+        { "$W assess " CARD
+          " --lang zh --samples 0 --wind 20 --snow 20cm --winter-wind 0.4 --soil mineral 2>&1 | python3 "
+          "tests/tongue.py said",
+          CODE_OK,
+          { " 0 missing\n" } },
+    };
+    CHECK(rows);
+}
+
 /* The tables of the other commands: heads, names of species and sentences; and the check finds English where
  * it is. */
 static void tables_of_the_terminal(void **state)
@@ -237,6 +281,7 @@ int main(void)
         cmocka_unit_test(sentences),
         cmocka_unit_test(catalogue),
         cmocka_unit_test(terminal),
+        cmocka_unit_test(mistakes),
         cmocka_unit_test(tables_of_the_terminal),
         cmocka_unit_test(usage),
         cmocka_unit_test(pages),

@@ -118,15 +118,23 @@ void wf_diag_sort(struct wf_diag *d, struct wf_finding *before)
     }
 }
 
-char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size)
+char *wf_finding_place(const struct wf_finding *f, char *buf, size_t size)
 {
     char place[48] = "";
     if (f->line && f->column)
         (void)snprintf(place, sizeof place, "%zu:%zu:", f->line, f->column);
     else if (f->line)
         (void)snprintf(place, sizeof place, "%zu:", f->line);
-    (void)snprintf(buf, size, "%s%s%s%s%s%s%s%s: %s", f->file ? f->file : "", f->file ? ":" : "", place,
-                   f->file || *place ? " " : "", f->severity == WF_ERROR ? "error" : "warning",
-                   f->code ? " [" : "", f->code ? f->code : "", f->code ? "]" : "", f->text);
+    (void)snprintf(buf, size, "%s%s%s%s", f->file ? f->file : "", f->file ? ":" : "", place,
+                   f->file || *place ? " " : "");
+    return buf;
+}
+
+char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size)
+{
+    char place[512];
+    (void)snprintf(buf, size, "%s%s%s%s%s: %s", wf_finding_place(f, place, sizeof place),
+                   f->severity == WF_ERROR ? "error" : "warning", f->code ? " [" : "", f->code ? f->code : "",
+                   f->code ? "]" : "", f->text);
     return buf;
 }

@@ -82,6 +82,9 @@ void wf_diag_pass(struct wf_diag *d, const struct wf_finding *warning);
 /* Sort the findings after `before` (NULL: all) by line and column. Findings at the same place keep their
  * order; those without a line come last. */
 void wf_diag_sort(struct wf_diag *d, struct wf_finding *before);
+/* Write the place of a finding, "file:line:column: ", to buf[size]; empty where it has none. Returned: buf.
+ */
+char *wf_finding_place(const struct wf_finding *f, char *buf, size_t size);
 /* Write "file:line:column: error: text" to buf[size], without the parts that are unknown. Returned: buf. */
 char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size);
 

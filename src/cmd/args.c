@@ -371,7 +371,9 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     struct wf_err e = { 0 };
     bool end_of_options = false;
     *out = (struct wf_args){ .option = rows };
-    while (rows && rows[r.options].name) r.options++;
+    for (; rows && rows[r.options].name; r.options++)
+        if (!strcmp(rows[r.options].name, "--lang"))
+            wf_usage_language(argc, argv); /* mistakes are in it too */
     wf_option_clear(&r);
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--") == 0) break;

@@ -424,10 +424,11 @@ static enum wf_status check_head(const struct wf_heads *h, size_t i, const char 
 {
     const struct wf_rows *r = h->rows;
     if (!strncmp(r->name[i], "wf_", 3))
-        return wf_fail(e, WF_EINPUT,
-                       "%s: column '%.60s' has a name that this command adds; take out the columns of an "
-                       "earlier assessment",
-                       r->file, r->name[i]);
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: column '%.60s' has a name that this command adds; take out the columns of an "
+            "earlier assessment",
+            r->file, r->line, r->name[i]);
     if (among(ambiguous, key))
         return wf_fail(
             e, WF_EINPUT,
@@ -437,8 +438,9 @@ static enum wf_status check_head(const struct wf_heads *h, size_t i, const char 
     for (size_t j = 0; j < i; j++)
         if (h->head[i].use >= WF_HEAD_READ && h->head[j].use >= WF_HEAD_READ &&
             h->head[i].option == h->head[j].option)
-            return wf_fail(e, WF_EINPUT, "%s: columns '%.60s' and '%.60s' are both taken as %s; rename one",
-                           r->file, r->name[j], r->name[i], h->option[h->head[i].option].name);
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu: error: columns '%.60s' and '%.60s' are both taken as %s; rename one",
+                           r->file, r->line, r->name[j], r->name[i], h->option[h->head[i].option].name);
     return WF_OK;
 }
 

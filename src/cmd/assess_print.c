@@ -73,6 +73,10 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
         "  wind: %s%s%.1f m/s 10-min mean at %.4g m over terrain %s, 3-s gust %.1f m/s; load of gusts: %s",
         s->design ? s->design->title : "", s->design ? ", " : "", speed, at.height, at.terrain->name,
         wf_scenario_gust(s, speed), an->peak ? an->peak->method->name : "none");
+    if (s->snow > 0) wf_show(to, "\n        with snow on the crown, %.3g kg/m2 of its area from above", s->snow);
+    if (s->ice > 0) wf_show(to, "\n        with %.3g mm of ice on what is drawn", 1e3 * s->ice);
+    if (s->winter < 1)
+        wf_show(to, "\n        of all winds named here %.3g %% blows while it is on the tree", 100 * s->winter);
     double there = wf_scenario_speed(s, speed);
     if (there != speed)
         wf_show(to, "\n        at the tree, terrain %s, %.1f m/s at %.4g m", s->category->name, there,

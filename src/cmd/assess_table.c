@@ -28,6 +28,7 @@
 
 /* Rows at a time; of them trees of files, which are larger; where each has a report. */
 enum { BATCH = 128, SCANS = 8, REPORTS = 16 };
+enum { NUMBERS = 1 << 16 }; /* of trees, of which three quarters are compared at most */
 
 struct table {
     struct wf_assess_options *line;
@@ -48,7 +49,9 @@ struct table {
     size_t done, mistakes, failed;
     struct timespec began, shown;
     size_t resumed;
-    size_t formulas, first_formula; /* cells that a spreadsheet would compute; line of the first */
+    size_t numbers, twice, first_twice; /* of trees, seen; rows with one that was there; line of the first */
+    uint64_t number[NUMBERS];           /* by hash; 0: none */
+    size_t formulas, first_formula;     /* cells that a spreadsheet would compute; line of the first */
 };
 
 /* ---- What a table that is not finished is of ---- */
@@ -130,6 +133,8 @@ static enum wf_status begin_table(struct table *t, const char *note, struct wf_e
 {
     errno = 0;
     if (go_on(t, note)) return WF_OK;
+    if (wf_file_is_there(t->partial) && wf_file_is_there(t->note) && !t->line->run.args.quiet)
+        wf_show(stderr, "%s is of another command or table; it is begun anew\n", t->partial);
     if (!(t->to = fopen(t->partial, "wb"))) return out_error(t, e);
     enum wf_status s = write_note(t, note, e);
     if (s) return s;
@@ -268,6 +273,20 @@ static void count_formulas(struct table *t)
     }
 }
 
+/* Rows with the number of a tree that was there before are counted: two trees, or one twice. */
+static void count_number(struct table *t, const struct wf_tree_row *row)
+{
+    uint64_t hash = 14695981039346656037U; /* FNV-1a */
+    if (!row->number || t->numbers > NUMBERS / 4 * 3) return;
+    for (const char *p = row->number; *p; p++) hash = (hash ^ (unsigned char)*p) * 1099511628211U;
+    hash += !hash;
+    size_t k = hash % NUMBERS;
+    while (t->number[k] && t->number[k] != hash) k = (k + 1) % NUMBERS;
+    if (t->number[k] && !t->twice++) t->first_twice = row->line;
+    t->numbers += !t->number[k];
+    t->number[k] = hash;
+}
+
 /* Some rows: read, assess side by side, write in order. Returned: *n rows; 0 at the end. */
 static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
 {
@@ -278,6 +297,7 @@ static enum wf_status batch(struct table *t, size_t *n, struct wf_err *e)
         count_formulas(t);
         s = wf_tree_row_read(t->columns, &t->rows, &t->row[*n], e);
         t->finished[*n] = false;
+        count_number(t, &t->row[*n]);
         scans += t->row[(*n)++].single.options.scan != NULL;
     }
     size_t good = 0;
@@ -411,6 +431,22 @@ static void keep_memory(void)
 #endif
 }
 
+/* A file is written: no folder, and nothing that only looks like a file; its folder is there. */
+static enum wf_status check_output(struct table *t, struct wf_err *e)
+{
+    struct stat there;
+    const char *slash = strrchr(t->out, '/');
+    if (!stat(t->out, &there) && !S_ISREG(there.st_mode))
+        return wf_fail(e, WF_EUSAGE, "-o %s: is %s; a file is written, for example -o assessed.csv", t->out,
+                       S_ISDIR(there.st_mode) ? "a folder" : "no file");
+    const char *folder = !slash            ? "."
+                         : slash == t->out ? "/"
+                                           : wf_arena_print(&t->arena, "%.*s", (int)(slash - t->out), t->out);
+    if (!folder) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    if (!stat(folder, &there) && S_ISDIR(there.st_mode)) return WF_OK;
+    return wf_fail(e, WF_EUSAGE, "-o %s: there is no folder %s", t->out, folder);
+}
+
 /* The table that is read is not written over, by whatever name it is called. */
 static enum wf_status keep_input(const struct table *t, const char *file, struct wf_err *e)
 {
@@ -440,7 +476,8 @@ static enum wf_status run(struct table *t, const char *file, const char *command
     t->partial = wf_arena_print(&t->arena, "%s.partial", t->out);
     t->note = wf_arena_print(&t->arena, "%s.partial.run", t->out);
     if (!t->partial || !t->note) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
-    enum wf_status s = keep_input(t, file, e);
+    enum wf_status s = check_output(t, e);
+    if (!s) s = keep_input(t, file, e);
     if (!s && t->line->extremes) s = read_extremes(t, e);
     if (!s) s = wf_rows_open(&t->rows, file, keep_line, t, e);
     if (!s) s = wf_tree_columns_open(&t->columns, &t->rows, t->line, e);
@@ -466,6 +503,11 @@ static enum wf_status run(struct table *t, const char *file, const char *command
                 "kept, and a spreadsheet may "
                 "compute them\n",
                 t->formulas, t->first_formula);
+    if (t->twice && !t->line->run.args.quiet)
+        wf_show(stderr,
+                "rows whose tree number was there before: %zu, the first in line %zu; each is assessed by "
+                "itself\n",
+                t->twice, t->first_twice);
     if (!s && !(t->done + t->mistakes + t->failed)) s = no_trees(t, e);
     if (!s) s = finish(t, e);
     return s || !t->line->run.pages.xlsx ? s : write_workbook(t, e);

@@ -104,16 +104,16 @@ int wf_complain(const struct wf_err *e)
 /* A mistake keeps the units of the file that it is about; a warning is in those of the terminal. */
 static void print_finding(const struct wf_finding *f)
 {
-    char line[2048];
     struct wf_arena a = { 0 };
-    struct wf_finding said = *f;
-    const char *own = wf_show_words(f->said, &a);
-    if (own) said.text = own;
-    const char *text = wf_finding_print(&said, line, sizeof line),
+    char place[512], code[80] = "";
+    const char *own = wf_show_words(f->said, &a), *text = own ? own : f->text,
                *turned = wf_show_units() && f->severity != WF_ERROR
                              ? wf_page_units_turned(wf_show_units(), text, NULL, &a)
                              : NULL;
-    wf_show(stderr, "%s\n", turned ? turned : text);
+    wf_finding_place(f, place, sizeof place);
+    if (f->code) (void)snprintf(code, sizeof code, " [%s]", f->code);
+    wf_show(stderr, "%s%s%s: %s\n", place, f->severity == WF_ERROR ? "error" : "warning", code,
+            turned ? turned : text);
     wf_arena_free(&a);
 }
 

@@ -15,6 +15,15 @@ struct wf_tongue {
     struct wf_arena arena;
     xmlHashTable *words; /* by the English text */
     xmlHashTable *named; /* names, by their other form */
+    size_t templates, room;
+    struct template *template; /* texts with arguments, for what was put together elsewhere */
+};
+
+/* "{1} m is below {2} m": an English text with arguments, and its translation. */
+struct template
+{
+    const char *english, *own;
+    size_t letters; /* of the text, without arguments */
 };
 
 static const xmlNode *child(const xmlNode *of, const char *name)
@@ -38,6 +47,29 @@ static void add(struct wf_tongue *t, const char *english, const char *own)
     if (english && own && *own) (void)xmlHashAddEntry(t->words, BAD_CAST english, (void *)own);
 }
 
+/* Letters outside of the arguments; 0 where two arguments stand side by side, of which none can be told. */
+static size_t letters_of(const char *english)
+{
+    size_t n = 0;
+    if (strstr(english, "}{")) return 0;
+    for (const char *p = english; *p; p++) n += isalpha((unsigned char)*p) != 0;
+    return n;
+}
+
+/* Keep a text with arguments, if it says enough to be known by. */
+static void add_template(struct wf_tongue *t, const char *english, const char *own)
+{
+    enum { LEAST = 8 };
+    if (!english || !own || !strchr(english, '{') || letters_of(english) < LEAST) return;
+    if (t->templates == t->room) {
+        size_t room = t->room ? 2 * t->room : 512;
+        struct template *more = realloc(t->template, room * sizeof *more);
+        if (!more) return;
+        t->template = more, t->room = room;
+    }
+    t->template[t->templates++] = (struct template){ english, own, letters_of(english) };
+}
+
 /* "Density, green" within a sentence: "density". */
 static void within_sentence(char *text)
 {
@@ -46,12 +78,18 @@ static void within_sentence(char *text)
     text[strcspn(text, ",")] = '\0';
 }
 
+static void add_message(struct wf_tongue *t, const char *english, const char *own)
+{
+    add(t, english, own);
+    add_template(t, english, own);
+}
+
 /* A row of the catalogue, or of the strings the key of a quantity or of a name that results have. */
 static void add_row(struct wf_tongue *t, const xmlNode *row)
 {
     const xmlNode *own = child(row, t->english ? "en" : "zh");
     if (!xmlStrcmp(row->name, BAD_CAST "m") && !t->english)
-        add(t, text_of(child(row, "en"), &t->arena), text_of(own, &t->arena));
+        add_message(t, text_of(child(row, "en"), &t->arena), text_of(own, &t->arena));
     bool quantity = !xmlStrcmp(row->name, BAD_CAST "q");
     if (!quantity && xmlStrcmp(row->name, BAD_CAST "k")) return;
     xmlChar *id = xmlGetProp(row, BAD_CAST "id");
@@ -99,6 +137,7 @@ void wf_tongue_close(struct wf_tongue *t)
     if (!t) return;
     xmlHashFree(t->words, NULL);
     xmlHashFree(t->named, NULL);
+    free(t->template);
     wf_arena_free(&t->arena);
     free(t);
 }
@@ -263,6 +302,77 @@ static const char *bracketed(const struct wf_tongue *t, const char *text, struct
     return wf_arena_print(a, t->english ? "%s (%s)" : "%s（%s）", one, other);
 }
 
+/* The arguments of a text that was put together by a template: what stands between its pieces, each as short
+ * as it can be. */
+static bool taken_apart(const char *template, const char *text, struct wf_arena *a, struct wf_said *out)
+{
+    const char *at = text, *p = template;
+    *out = (struct wf_said){ .message = template };
+    for (;;) {
+        size_t n = strcspn(p, "{");
+        if (strncmp(at, p, n)) return false;
+        at += n, p += n;
+        if (!*p) return !*at;
+        size_t k = strtoul(p + 1, NULL, 10);
+        p += strcspn(p, "}");
+        if (!*p || !k || k > WF_SAID_MOST || out->arg[k - 1]) return false;
+        char *next = wf_arena_print(a, "%.*s", (int)strcspn(p + 1, "{"), p + 1);
+        const char *end = !next ? NULL : *next ? strstr(at, next) : at + strlen(at);
+        if (end && next && !p[1 + strlen(next)] &&
+            strlen(at) >= strlen(next)) /* the last piece ends the text */
+            end = *next ? at + strlen(at) - strlen(next) : end;
+        if (!end || !(out->arg[k - 1] = wf_arena_print(a, "%.*s", (int)(end - at), at))) return false;
+        if (k > out->n) out->n = k;
+        at = end, p++;
+    }
+}
+
+static const char *by_template(const struct wf_tongue *t, const char *text, struct wf_arena *a);
+
+/* An argument of a template. What stands in quotes, and single words, are what is typed; a name begins with a
+ * capital. */
+static const char *inner(const struct wf_tongue *t, const char *template, size_t k, const char *arg,
+                         struct wf_arena *a)
+{
+    char quoted[16];
+    (void)snprintf(quoted, sizeof quoted, "'{%zu}'", k);
+    bool words = strchr(arg, ' ') != NULL;
+    if (strstr(template, quoted) || (!words && !isupper((unsigned char)*arg))) return arg;
+    const char *own = found(t, arg);
+    if (!own && words) own = note(t, arg, 0, a);
+    if (!own && words) own = by_template(t, arg, a);
+    return own ? own : arg;
+}
+
+/* "crown_base: " before a sentence: bytes of it; 0: there is none. */
+static size_t key_bytes(const char *text)
+{
+    size_t n = 0;
+    while (isalnum((unsigned char)text[n]) || (text[n] && strchr("_.-", text[n]))) n++;
+    return n && !strncmp(text + n, ": ", 2) ? n + 2 : 0;
+}
+
+/* A text that was put together in English, as errors are: by the template that has most of its letters.
+ * Returned: NULL where there is none. */
+static const char *by_template(const struct wf_tongue *t, const char *text, struct wf_arena *a)
+{
+    const struct template *best = NULL;
+    struct wf_said said, most = { 0 };
+    if (!strchr(text, ' ')) return NULL;
+    for (size_t k = 0; k < t->templates; k++) {
+        const struct template *one = &t->template[k];
+        if ((best && one->letters <= best->letters) || !taken_apart(one->english, text, a, &said)) continue;
+        best = one, most = said;
+    }
+    for (size_t k = 0; best && k < most.n; k++)
+        most.arg[k] = most.arg[k] ? inner(t, best->english, k + 1, most.arg[k], a) : "";
+    if (best) return wf_said_put(a, best->own, most.arg, most.n);
+    size_t key = key_bytes(text);
+    const char *rest = key ? found(t, text + key) : NULL;
+    if (key && !rest) rest = by_template(t, text + key, a);
+    return rest ? wf_arena_print(a, "%.*s：%s", (int)key - 2, text, rest) : NULL;
+}
+
 /* An argument, or a part of one. Returned: its translation, else `text` itself. */
 static const char *piece(const struct wf_tongue *t, const char *text, struct wf_arena *a)
 {
@@ -270,6 +380,7 @@ static const char *piece(const struct wf_tongue *t, const char *text, struct wf_
     if (own) return own;
     if (!*text || strlen(text) > 2000) return text;
     own = t->english ? NULL : note(t, text, 0, a);
+    if (!own && !t->english) own = by_template(t, text, a);
     if (own) return own;
     own = list(t, text, a);
     if (own == text) own = bracketed(t, text, a);
@@ -365,6 +476,16 @@ static const char *name_of(const struct wf_tongue *t, const char *text, struct w
     return own != text ? own : NULL;
 }
 
+/* Words of the user, which are nobody's sentences. */
+static bool is_users(const xmlNode *n)
+{
+    static const char *const own[] = { "name",     "title",        "client",     "site_name", "tree_number",
+                                       "assessor", "organisation", "disclaimer", "command",   "model_name" };
+    for (size_t k = 0; k < sizeof own / sizeof *own; k++)
+        if (!xmlStrcmp(n->name, BAD_CAST own[k])) return true;
+    return false;
+}
+
 /* Texts of more than a word; single words are keys, which the stylesheets know. */
 static void translate(const struct wf_tongue *t, xmlNode *n)
 {
@@ -377,6 +498,8 @@ static void translate(const struct wf_tongue *t, xmlNode *n)
                                   !t->english && strlen(text) < 4000
                               ? note(t, text, 0, &a)
                               : NULL;
+        if (text && !own && !t->english && !is_users(k) && strlen(text) < 4000)
+            own = by_template(t, text, &a);
         if (text && !t->english && !xmlStrcmp(k->name, BAD_CAST "name") && child(n, "name_zh"))
             own = n->parent && !xmlStrcmp(n->parent->name, BAD_CAST "report") ? name_of(t, text, &a) : NULL;
         if (own) {

@@ -3,7 +3,8 @@
 #define WF_OUT_TONGUE_H
 /* What the program says in English, in the language of a page or a terminal. The catalogue is
  * reports/messages.xml: an English text, with {1}, {2} ... for what is put in, and its translation. An
- * English text is looked up as a whole, never searched for words; what has none stays English. The pages' own
+ * English text is looked up as a whole, never searched for words; one that was put together elsewhere, as an
+ * error is, is taken apart by the English texts with arguments. What has none stays English. The pages' own
  * words are those of reports/strings.xml, by keys, of which the names <q> and <k>
  * are known here too. */
 #include "base/err.h"

@@ -197,7 +197,9 @@ static void find_years(const struct wf_analysis *an, const struct wf_assess_ofte
     out->years = out->years_low = out->years_high = NAN;
     out->exceedance = out->over_life = out->exceedance_low = NAN;
     out->life = q ? q->life : (double)NAN;
-    if (!coded && !(q && q->extreme)) {
+    if (an->scenario.winter < 1) {
+        out->years_unknown = "how often that share of it blows while snow or ice is on the tree is not known";
+    } else if (!coded && !(q && q->extreme)) {
         out->years_unknown = "the wind was not given by a code, nor extremes (--extremes)";
     } else if (!found && !(c && c->outcome == WF_CRITICAL_ABOVE)) {
         out->years_unknown = "no critical wind was found";
