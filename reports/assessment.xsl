@@ -191,6 +191,15 @@
       <xsl:with-param name="b" select="format-number(100 * $a/least_reduction_cut, '0')"/>
     </xsl:call-template></p>
   </xsl:if>
+  <xsl:if test="not($a/least_reduction &gt; 0) and ($a/least_reduction_tried &gt; 0 or $a/least_reduction_unknown != '')">
+    <p><xsl:call-template name="say">
+      <xsl:with-param name="id">
+        <xsl:text>as.reduction.</xsl:text>
+        <xsl:choose><xsl:when test="$a/least_reduction_unknown != ''">unknown</xsl:when><xsl:otherwise>none</xsl:otherwise></xsl:choose>
+      </xsl:with-param>
+      <xsl:with-param name="a" select="format-number(100 * $a/least_reduction_tried, '0')"/>
+    </xsl:call-template></p>
+  </xsl:if>
   <xsl:if test="$a/record/item">
     <p><xsl:call-template name="say"><xsl:with-param name="id">as.record</xsl:with-param></xsl:call-template></p>
     <ul>

@@ -432,6 +432,12 @@ static void from_fit(void **state)
           "--pull-moment '5 kN*m' --soil mineral -o $T/o --no-report -q && grep -c 'role' $T/o/results.json",
           CODE_OK,
           { "\n" } },
+        { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
+          "--samples "
+          "0",
+          CODE_OK,
+          { "the least reduction of the crown was not searched: no branches are drawn that could be cut "
+            "back" } },
         /* what the record says is on the page, in both languages */
         { "$W fit $S -o $T/f --no-profile --no-rival --no-report -q && $W assess --from $T/f --wind 8 "
           "--samples 0 -o $T/p --no-pdf -q; grep -c 'to the limit strain 0.003 the section bears' "

@@ -406,7 +406,8 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
     const struct wf_assess_often often = wf_assess_often_of(&c->options);
     double worst = q->scenario.azimuth;
     enum wf_status s = WF_OK;
-    bool turns = !wf_assess_is_round(&c->model, &q->scenario) && !q->scenario.site;
+    bool turns = !c->alone && !wf_assess_is_round(&c->model, &q->scenario) && !q->scenario.site;
+    if (c->alone) worst = c->towards;
     if (turns)
         s = wf_assess_around(c->species, &c->model, &q->scenario, q->solver, &q->solve,
                              wind->speed[wind->n - 1], q->directions.north, c->around, &worst, e);

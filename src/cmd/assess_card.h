@@ -46,7 +46,9 @@ struct wf_assess_case {
     double grown;                 /* of a fit: its height [m] */
     struct wf_model model;
     struct wf_analyze_request request;
-    double cut; /* share of the crown's frontal area that the changes take [-] */
+    double cut;     /* share of the crown's frontal area that the changes take [-] */
+    bool alone;     /* only wind towards this azimuth is looked at */
+    double towards; /* [rad] */
     struct wf_analysis an;
     struct wf_assessment x;
     struct wf_assess_direction around[WF_ASSESS_DIRECTIONS]; /* of x, where directions differ */

@@ -352,7 +352,10 @@ static void print_scenarios(FILE *to, const struct wf_analysis *an)
                 "its area\n",
                 x->required, 100 * x->reduction, 100 * x->reduction_cut);
     else if (isinf(x->reduction))
-        wf_show(to, "  no reduction of the crown up to 60 %% reaches a safety of %.6g\n", x->required);
+        wf_show(to, "  no reduction of the crown up to %.0f %% reaches a safety of %.6g\n",
+                100 * x->reduction_most, x->required);
+    else if (x->reduction_unknown)
+        wf_show(to, "  the least reduction of the crown was not searched: %s\n", x->reduction_unknown);
     if (an->beside) {
         print_table(to, an->beside, x->required);
         wf_print_beside_gusts(to, an->beside->n, an->beside->item);

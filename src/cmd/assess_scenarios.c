@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/assess_scenarios.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "cmd/scenarios.h"
+#include "study/directions.h"
 #include <math.h>
 #include <string.h>
 
@@ -111,39 +113,114 @@ enum wf_status wf_assess_list_check(const struct wf_assess_list *list, const str
     return s;
 }
 
-static bool enough(const struct wf_beside *x, double required)
+/* ---- The least reduction ---- */
+
+/* What is searched in. */
+struct reducing {
+    const struct wf_assess_list *list;
+    const struct wf_assess_options *options;
+    const struct wf_analysis *whole;
+    struct wf_arena *arena;
+    struct wf_assess_case *room;
+    bool turns;     /* directions differ */
+    double towards; /* azimuth of the wind in which the tree is the least safe [rad] */
+};
+
+/* Is a reduction by a share enough, in the wind in which the tree was the least safe or (all) in any? */
+static enum wf_status try_share(const struct reducing *r, double share, bool all, bool *is, double *cut,
+                                struct wf_err *e)
 {
-    return fmin(x->breakage, x->overturning) >= required;
+    struct wf_assess_case *c = r->room;
+    struct wf_beside at;
+    *c = (struct wf_assess_case){ .options = *r->options,
+                                  .fit = r->list->fit,
+                                  .whole = r->list->fit ? r->list->whole : NULL,
+                                  .grown = r->list->grown,
+                                  .alone = r->turns && !all,
+                                  .towards = r->towards };
+    struct wf_analyze_options *o = &c->options.run;
+    o->samples = 0, o->thin = o->cavity_growth = NAN, o->root_loss = o->remove = NULL, o->leaf_off = false;
+    if (!(o->reduce = wf_arena_print(r->arena, "%.4g%%", 100 * share)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
+    at = (struct wf_beside){ .name = o->reduce };
+    enum wf_status s = run_case(c, r->whole, r->arena, &at, e);
+    if (s) return s;
+    *is = fmin(at.breakage, at.overturning) >= c->options.required, *cut = at.cut;
+    return WF_OK;
 }
 
-/* By halves: from 0 to 60 % of the crown's height and width, to 1 %. */
-static enum wf_status find_reduction(const struct wf_assess_options *o, const struct wf_analysis *whole,
-                                     struct wf_arena *a, struct wf_assessment *x, struct wf_err *e)
+/* Between a share that is not enough and one that is, to 1 %. Returned: *high and what it takes. */
+static enum wf_status halve(const struct reducing *r, double low, bool all, double *high, double *cut,
+                            struct wf_err *e)
 {
-    const double most = 0.6;
-    struct wf_assess_case *c = WF_TAKE(a, 1, struct wf_assess_case);
-    struct wf_beside at;
-    double low = 0, high = most;
-    if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
-    for (double share = most; share == most || high - low > 0.01; share = 0.5 * (low + high)) {
-        *c = (struct wf_assess_case){ .options = *o };
-        c->options.run.samples = 0;
-        c->options.run.thin = c->options.run.cavity_growth = NAN, c->options.run.root_loss = NULL;
-        c->options.run.leaf_off = false;
-        if (!(c->options.run.reduce = wf_arena_print(a, "%.4g%%", 100 * share)))
-            return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
-        at = (struct wf_beside){ .name = c->options.run.reduce };
-        enum wf_status s = run_case(c, whole, a, &at, e);
-        if (s) return s;
-        bool is = enough(&at, o->required);
-        if (share == most && !is) return x->reduction = INFINITY, WF_OK;
+    enum wf_status s = WF_OK;
+    while (*high - low > 0.01 && !s) {
+        bool is = false;
+        double share = 0.5 * (low + *high), gone;
+        s = try_share(r, share, all, &is, &gone, e);
         if (is)
-            high = share, x->reduction_cut = at.cut;
+            *high = share, *cut = gone;
         else
             low = share;
     }
-    x->reduction = high;
+    return s;
+}
+
+/* The largest share of 60 %, 50 % ... that can be drawn: of a tree whose branches are drawn a twentieth of
+ * the crown must be left. Returned: *most, 0 where none can be. */
+static enum wf_status find_most(const struct reducing *r, double *most, bool *is, double *cut,
+                                struct wf_err *e)
+{
+    for (int tenths = 6; tenths > 0; tenths--) {
+        struct wf_err why = { WF_OK, "" };
+        enum wf_status s = try_share(r, 0.1 * tenths, true, is, cut, &why);
+        *most = 0.1 * tenths;
+        if (!s) return WF_OK;
+        if (s != WF_EINPUT || !r->list->fit) return wf_fail(e, s, "%s", why.text);
+    }
+    *most = 0;
     return WF_OK;
+}
+
+/* By halves in the wind in which the tree is the least safe, then looked at in all; where another wind wants
+ * more, by halves in all from there. */
+static enum wf_status find_reduction(const struct reducing *r, struct wf_assessment *x, struct wf_err *e)
+{
+    bool is = false;
+    double most, cut;
+    enum wf_status s = find_most(r, &most, &is, &cut, e);
+    if (s) return s;
+    x->reduction_most = most;
+    if (!(most > 0)) return x->reduction_unknown = "no branches are drawn that could be cut back", WF_OK;
+    if (!is) return x->reduction = INFINITY, WF_OK;
+    double high = most, first = most;
+    x->reduction_cut = cut;
+    if ((s = halve(r, 0, false, &high, &x->reduction_cut, e))) return s;
+    if (r->turns && high < most && (s = try_share(r, high, true, &is, &x->reduction_cut, e))) return s;
+    if (!is) {
+        first = high, high = most, x->reduction_cut = cut;
+        s = halve(r, first, true, &high, &x->reduction_cut, e);
+    }
+    x->reduction = high;
+    return s;
+}
+
+static enum wf_status search_reduction(const struct wf_assess_list *list, const struct wf_assess_options *o,
+                                       struct wf_arena *a, const struct wf_analysis *an,
+                                       struct wf_assessment *x, struct wf_err *e)
+{
+    const struct wf_assess_part *worst =
+        x->overturning.safety < x->breakage.safety ? &x->overturning : &x->breakage;
+    struct wf_directions_request place = { .north = o->run.north };
+    const struct reducing r = { .list = list,
+                                .options = o,
+                                .whole = an,
+                                .arena = a,
+                                .room = WF_TAKE(a, 1, struct wf_assess_case),
+                                .turns = x->directions > 0 && !x->one,
+                                .towards = x->directions ? wf_direction_azimuth(&place, worst->from) : 0 };
+    if (!r.room) return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
+    return find_reduction(&r, x, e);
 }
 
 /* The tree as it stands, and its scenarios, side by side. */
@@ -175,7 +252,6 @@ enum wf_status wf_assess_list_run(const struct wf_assess_list *list, const struc
     }
     x->scenarios = list->n, x->scenario = list->scenario;
     if (!s) s = put_beside(x, a, an, e);
-    bool width = !list->fit && (o->run.tree.crown.width > 0 || o->run.tree.outline);
     bool low = fmin(x->breakage.safety, x->overturning.safety) < x->required;
-    return !s && low && width ? find_reduction(o, an, a, x, e) : s;
+    return !s && low && !wf_interrupted() ? search_reduction(list, o, a, an, x, e) : s;
 }

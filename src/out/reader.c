@@ -68,7 +68,7 @@ static const struct {
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
               "exceedance_a_year exceedance_over_life life_years return_period_low return_period_high "
               "exceedance_at_low_end branch_gusts branch_damping "
-              "required cut least_reduction least_reduction_cut "
+              "required cut least_reduction least_reduction_cut least_reduction_tried "
               "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
               "frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
@@ -102,7 +102,8 @@ static const struct {
       "wind_factor "
       "wind_profile" },
     { TEXT,
-      "word return_period_bound return_period_low_bound return_period_high_bound exceedance_at_low_end_text "
+      "word least_reduction_unknown return_period_bound return_period_low_bound return_period_high_bound "
+      "exceedance_at_low_end_text "
       "return_period_by exceedance_a_year_text exceedance_over_life_text "
       "wants form from_point to_point of stepping term air_density_from averaging_law beaufort beaufort_text "
       "bound climate_file "

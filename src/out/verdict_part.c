@@ -240,6 +240,8 @@ static void put_scenarios(struct wf_doc *d, json_t *o, const struct wf_assessmen
 {
     wf_doc_put(d, o, "scenarios", wf_part_beside(d, x->scenarios, x->scenario));
     wf_doc_number(d, o, "least_reduction", x->reduction);
+    wf_doc_number(d, o, "least_reduction_tried", x->reduction_most > 0 ? x->reduction_most : (double)NAN);
+    wf_doc_text(d, o, "least_reduction_unknown", x->reduction_unknown);
     wf_doc_number(d, o, "least_reduction_cut", isfinite(x->reduction) ? x->reduction_cut : (double)NAN);
 }
 

@@ -86,10 +86,12 @@ struct wf_assessment {
     bool one;    /* it was specified, and counts alone */
     size_t scenarios;
     const struct wf_beside *scenario; /* the tree with something changed, in the same wind unless that is */
-    double reduction;     /* least share of the crown's height and width off that makes it safe enough [-];
-                             INFINITY: none up to 60 %; NAN: not searched */
-    double reduction_cut; /* share of its frontal area that is gone then [-] */
-    const struct wf_diag *record; /* what a test says by itself; NULL: there is none */
+    double reduction;      /* least share of the crown's height and width off that makes it safe enough [-];
+                              INFINITY: none up to `reduction_most`; NAN: not searched */
+    double reduction_most; /* the largest share that was tried [-] */
+    double reduction_cut;  /* share of its frontal area, or of its leaves, that is gone then [-] */
+    const char *reduction_unknown; /* why it was not searched, where that was asked; NULL */
+    const struct wf_diag *record;  /* what a test says by itself; NULL: there is none */
     enum wf_assess_word word;
     unsigned because; /* of WF_ASSESS_NO_OVERTURNING and so on */
     unsigned lost_by; /* all criteria that lose the tree in this wind: bits by their ids */
