@@ -549,6 +549,13 @@ static void beside_the_verdict(void **state)
           "[0-9.]* mm\\|With snow' $T/q/report.html",
           CODE_RUN,
           { "mm of rain on the leaves\n", "return period of that wind: about", "does not matter", "\n0\n" } },
+        { "$W assess --species oak --height 20m --girth 250 cm --crown-width 14 --crown-base 4 --wind 20; $W "
+          "assess oak --wind "
+          "20 --lang zh",
+          CODE_INPUT,
+          { "'cm' is taken as the name of a card or a table, and there is no such file; a value and its unit "
+            "are one word",
+            "“oak”被当作卡片或表格的文件名" } },
         { "$W assess models/cards/oak.yaml --leaf-off yes; $W assess models/cards/oak.yaml --leaf-off=no; $W "
           "assess "
           "models/cards/oak.yaml --season leaf_off --leaf-off-share 0; printf 'year,speed_ms\\n' >$T/a.csv; "

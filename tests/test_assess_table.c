@@ -466,6 +466,9 @@ static void none_to_assess(void **state)
           CODE_OK,
           { "t.csv: there is no row below the header: nothing was assessed, nothing written",
             "2\nt.csv\n" } },
+        { "printf 'PK\003\004\024x' >$T/t.xlsx; $W assess $T/t.xlsx -o $T/o.csv --wind 20",
+          CODE_INPUT,
+          { "t.xlsx: is a workbook; save its sheet as CSV in UTF-8" } },
         { "printf 'name,height\nx,20\n' >$T/t.csv; $W assess $T/t.csv -o $T/o.csv --wind 20 --girth 2; echo "
           "$?; ls $T",
           CODE_OK,
@@ -495,7 +498,7 @@ static void around_the_table(void **state)
     (void)state;
     static const struct row rows[] = {
         { "printf '" HEAD "7,oak,20,250,14,4,\n8,oak,20,250,14,4,\n7,oak,20,250,14,4,\n,oak,20,250,14,4,\n,"
-                          "oak,20,250,14,4,\n' "
+          "oak,20,250,14,4,\n' "
           ">$T/t.csv; mkfifo $T/p; for o in $T $T/p $T/no/o.csv; do $W assess $T/t.csv -o $o --wind 20; echo "
           "$?; done; ls $T; $W "
           "assess $T/t.csv -o $T/o.csv --wind 20",
@@ -504,7 +507,7 @@ static void around_the_table(void **state)
             "/p: is no file; a file is written, for example -o assessed.csv\n2\n", "/no\n2\np\nt.csv\n",
             "rows whose tree number was there before: 1, the first in line 4; each is assessed by itself" } },
         { "printf '" HEAD "7,oak,20,250,14,4,\n' >$T/t.csv; echo x >$T/o.csv.partial; echo y "
-                          ">$T/o.csv.partial.run; $W assess "
+          ">$T/o.csv.partial.run; $W assess "
           "$T/t.csv -o $T/o.csv --wind 20; ls $T",
           CODE_OK,
           { "o.csv.partial is of another command or table; it is begun anew", "\no.csv\nt.csv\n" } },

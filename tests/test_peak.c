@@ -345,6 +345,42 @@ static void crowds(void **state)
     wf_arena_free(&p.c.arena);
 }
 
+/* Sways that are found when a wind asks for them give the peak loads of those that were found at once, to the
+ * last digit, at every wind up to that; the rest can be found later. */
+static void sways_as_asked(void **state)
+{
+    struct pole p;
+    (void)state;
+    make(&p, "en1991", true);
+    const struct wf_peak *whole = p.an.peak;
+    assert_false(whole->partial);
+    assert_int_equal(wf_sway_begin(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
+    const struct wf_peak *some = p.an.peak;
+    const size_t first = some->sways;
+    assert_true(some->partial && first < whole->sways);
+    assert_true(wf_peak_factor(some, speed, WF_PART_STEM) == wf_peak_factor(whole, speed, WF_PART_STEM));
+    for (double wind = 1; wind <= 60; wind += 1) {
+        wf_sway_reach(&p.an, wind);
+        for (double u = 0.7; u <= wind; u += 0.6)
+            assert_true(wf_peak_factor(some, u, WF_PART_BRANCHES) ==
+                        wf_peak_factor(whole, u, WF_PART_BRANCHES));
+    }
+    assert_true(some->sways > first && !some->partial);
+    wf_sway_end(&p.an);
+
+    assert_int_equal(wf_sway_begin(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
+    wf_sway_end(&p.an);
+    wf_sway_end(&p.an);
+    wf_sway_reach(&p.an, 60);
+    assert_true(p.an.peak->partial && p.an.peak->sways == first);
+    struct wf_at_speed at = { .speed = speed };
+    p.an.at = &at, p.an.n = 1;
+    assert_int_equal(wf_sway_complete(&p.an, &p.c.options, &p.c.arena, &p.c.err), WF_OK);
+    assert_true(!p.an.peak->partial && p.an.peak->sways == whole->sways);
+    assert_true(!memcmp(p.an.peak->sway, whole->sway, whole->sways * sizeof *whole->sway));
+    wf_arena_free(&p.c.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -359,6 +395,7 @@ int main(void)
         cmocka_unit_test(moments_of_stands),
         cmocka_unit_test(critical_at_the_peak),
         cmocka_unit_test(crowds),
+        cmocka_unit_test(sways_as_asked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -262,6 +262,8 @@ static enum wf_status read_header(struct wf_rows *r, void (*before)(void *contex
         if (r->line == 1 && !strncmp(text, "\xEF\xBB\xBF", 3))
             r->size -= 3, memmove(text, text + 3, r->size + 1), r->marked = true;
         bool said = r->line == 1 && r->size == 5 && !strncasecmp(text, "sep=", 4) && strchr(",;\t", text[4]);
+        if (r->line == 1 && (!strncmp(text, "PK\003\004", 4) || !strncmp(text, "\xD0\xCF\x11\xE0", 4)))
+            return wf_fail(e, WF_EINPUT, "%s: is a workbook; save its sheet as CSV in UTF-8", r->file);
         const char *alone = strchr(text, '\r');
         if (alone && alone[1] != '\n')
             return wf_fail(e, WF_EINPUT,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/assess_card.h"
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/assess_fit.h"
@@ -101,6 +102,19 @@ static bool width_wrong(const void *options, const struct wf_option *row, char *
     return wrong_value(options, WF_CARD_WIDTH, why);
 }
 
+/* "--girth 250 cm" without quotes: the unit is no table. */
+static bool operand_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_args *a = options;
+    const char *operand = a->n ? a->operand[0] : "";
+    (void)row;
+    return wf_option_unused(
+        *operand && !strpbrk(operand, "./") && !wf_file_is_there(operand), why,
+        "'%.60s' is taken as the name of a card or a table, and there is no such file; a value "
+        "and its unit are one word, 250cm or '250 cm'",
+        operand);
+}
+
 static bool species_wrong(const void *options, const struct wf_option *row, char *why)
 {
     const char *name = ((const struct wf_assess_options *)options)->species, *path;
@@ -186,7 +200,7 @@ static bool scans_unused(const void *options, const struct wf_option *row, char 
 
 #define OPTIONS struct wf_assess_options
 static const struct wf_option card_rows[] = {
-    TEXT("--card", name, "NAME", NULL, "name of the tree; the first key of a card"),
+    TEXT("--card", name, "NAME", NULL, "name of the tree; the first key of a card", .wrong = operand_wrong),
     TEXT("--species", species, "SPECIES", NULL,
          "species table: a file or the name of a shipped one ('windfirm species list')",
          .wrong = species_wrong, .unused = card_unused),

@@ -315,6 +315,48 @@ static enum wf_status list_unions(struct wf_analysis *an, struct wf_arena *a, st
              : wf_fail(e, WF_ENOMEM, "no memory for unions");
 }
 
+/* The given speeds, the critical ones, the curves. */
+static enum wf_status solve_winds(struct wf_analysis *out, const struct wf_solve_options *o,
+                                  const double *speeds, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_err *e)
+{
+    const size_t n = out->n;
+    enum wf_status s = WF_OK;
+    if (!wf_nodes_tracked(out)) wf_sway_reach(out, INFINITY);
+    if (!out->search.bare) out->modes = lowest_modes(out, o, a);
+    if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
+    if (out->search.bare) {
+        s = analyze_bare(out, o, speeds, e);
+        if (!s) wf_limits_check(out, d);
+        if (!s) wf_limits_root(out, o->root_stiffness, d);
+        return s;
+    }
+    struct wf_err why = { 0 };
+    struct wf_nodes *nodes = NULL;
+    size_t k = 0;
+    bool searched = false;
+    wf_stage_begin(n, false, "%s: wind speeds", out->species->name);
+    while (k < n && !(k && wf_interrupted()) && !s)
+        if (!(s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++, wf_stage_step(1);
+    if (!s && k == n && out->search.solved) out->search.solved(out, out->search.context);
+    if (!s && k < n) s = WF_EINTERRUPTED;
+    if (!s && !(nodes = wf_nodes_open(out, NULL)))
+        s = wf_fail(&why, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: critical wind speed", out->species->name);
+    if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
+    if (!s) s = find_held(out, o, nodes, &why);
+    searched = !s;
+    wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", out->species->name);
+    if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);
+    wf_nodes_close(nodes);
+    if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
+    if (s) return wf_fail(e, s, "%s", why.text);
+    wf_limits_check(out, d);
+    wf_limits_root(out, o->root_stiffness, d);
+    return WF_OK;
+}
+
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
@@ -336,37 +378,8 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
                                  .branch_safety = NAN };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = list_unions(out, a, e))) return s;
-    if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
-    if (!q.bare) out->modes = lowest_modes(out, o, a);
-    if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
-        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
-    if (q.bare) {
-        s = analyze_bare(out, o, speeds, e);
-        if (!s) wf_limits_check(out, d);
-        if (!s) wf_limits_root(out, o->root_stiffness, d);
-        return s;
-    }
-    struct wf_err why = { 0 };
-    struct wf_nodes *nodes = NULL;
-    size_t k = 0;
-    bool searched = false;
-    wf_stage_begin(n, false, "%s: wind speeds", sp->name);
-    while (k < n && !(k && wf_interrupted()) && !s)
-        if (!(s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++, wf_stage_step(1);
-    if (!s && k == n && q.solved) q.solved(out, q.context);
-    if (!s && k < n) s = WF_EINTERRUPTED;
-    if (!s && !(nodes = wf_nodes_open(out, NULL)))
-        s = wf_fail(&why, WF_ENOMEM, "not enough memory for the search of the critical speed");
-    wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: critical wind speed", sp->name);
-    if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
-    if (!s) s = find_held(out, o, nodes, &why);
-    searched = !s;
-    wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", sp->name);
-    if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);
-    wf_nodes_close(nodes);
-    if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
-    if (s) return wf_fail(e, s, "%s", why.text);
-    wf_limits_check(out, d);
-    wf_limits_root(out, o->root_stiffness, d);
-    return WF_OK;
+    s = wf_sway_begin(out, o, speeds, n, a, d, e);
+    if (!s) s = solve_winds(out, o, speeds, a, d, e);
+    wf_sway_end(out);
+    return s;
 }

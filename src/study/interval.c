@@ -529,6 +529,7 @@ enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_sol
 {
     struct wf_arena scratch = { 0 };
     struct wf_solve_options alone = *o;
+    struct wf_analysis whole = *an; /* with the sways of winds in which samples may be lost */
     double *share = NULL, near = wf_verdict_of(an->breaks).loss->critical.speed;
     *out = (struct wf_interval){ .request = *q, .searched_to = an->search.speed_max };
     const char *refused = refused_by(an);
@@ -536,12 +537,13 @@ enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_sol
     if (!s && (refused || !q->samples))
         s = wf_fail(e, WF_EUSAGE, "no interval: %s", refused ? refused : "no samples");
     if (!s) s = wf_variation_of(an, &out->variation, e);
+    if (!s) s = wf_sway_complete(&whole, o, &scratch, e);
     if (!s) s = draw_shares(&out->variation, q, &scratch, &share, e);
     size_t n = 2 * out->variation.n + q->samples;
     struct sample *sample = s ? NULL : take_samples(n, an->n, &scratch);
     if (!s && !sample) s = wf_fail(e, WF_ENOMEM, "not enough memory for %zu samples", q->samples);
     alone.threads = 1; /* the parallel loop is over samples */
-    struct work w = { .an = an,
+    struct work w = { .an = &whole,
                       .o = &alone,
                       .v = &out->variation,
                       .near = isfinite(near) ? near : 0.0,

@@ -5,6 +5,7 @@
 #include "base/progress.h"
 #include "solve/track.h"
 #include "study/peak.h"
+#include "study/sway.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -361,12 +362,14 @@ static enum wf_status place_node(struct wf_nodes *k, const struct wf_solve_optio
 enum wf_status wf_nodes_solve_part(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
                                    enum wf_node_part part, const struct wf_node **out, struct wf_err *e)
 {
+    const double faster = 1.001; /* slopes look at a little more wind */
     struct sequence *q = NULL;
     struct wf_node *node;
     enum wf_status s = place_node(k, o, speed, &node, e);
     if (!wf_peak_branches(k->an->peak)) part = WF_NODE_STEM;
     if (!s && lacks(&node->state[part])) {
         s = wf_nodes_ready(k, e);
+        wf_sway_reach(k->an, faster * speed);
         if (!s) s = sequence_for(k, o, &q, e);
         if (!s) s = solve_state(k, q, part, speed, node, e);
     }

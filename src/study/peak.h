@@ -48,6 +48,8 @@ struct wf_peak {
     size_t sways;    /* 0: unknown, the frequency of most resonance is taken */
     struct wf_sway sway[WF_PEAK_SWAYS];
     double slope[2][WF_PEAK_SWAYS]; /* of frequency and air by speed */
+    struct wf_sway_search *more;    /* finds those at higher speeds when they are asked for (study/sway.h) */
+    bool partial;                   /* those at higher speeds are not known */
     size_t others; /* sways at the highest specified speed of other choices of modes (study/sway.c) */
     struct wf_sway other[WF_PEAK_OTHERS];
     const double *still; /* 3n: displacements of the rows' ends in the first sway, that in still air; NULL:

@@ -5,6 +5,7 @@
 #include "fail/crossing.h"
 #include "study/analysis.h"
 #include "study/node.h"
+#include "study/sway.h"
 #include "study/verdict.h"
 #include <math.h>
 #include <stdlib.h>
@@ -52,6 +53,7 @@ static enum wf_status search_totals(const struct search *q, double speed, struct
         return WF_OK;
     }
     enum wf_status s = wf_nodes_ready(q->nodes, e);
+    wf_sway_reach(q->an, speed);
     if (!s) s = wf_speed_totals(q->an, q->o, speed, at, e);
     if (!s) wf_nodes_add(q->nodes, q->o->mesh_tolerance, true, at);
     return s;
@@ -218,6 +220,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
             else
                 b->speed[n++] = speed;
         }
+        if (n) wf_sway_reach(q->an, b->speed[n - 1]);
         enum wf_status s = wf_parallel(n, threads, rung, b, e);
         if (s) {
             wf_arena_free(&scratch);

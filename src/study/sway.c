@@ -193,29 +193,69 @@ static double profile_at(const struct wf_analysis *an, double z)
 static const double rough = 3e-4; /* of the mesh that sways are found on: with 1e-3 a mode at the edge of the
                                      band of a willow's sway moved its gust factor by 3e-3 */
 
-/* Sways at speeds in rising order, until there is no state in the mean wind. Given: the highest specified
- * speed, at which, or at the next below, bands are compared; NAN: they are not, for nobody is told. */
-static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
-                                 const struct wf_solve_options *o, double *at, size_t k, double highest,
-                                 struct wf_arena *a, struct wf_err *e)
-{
-    struct wf_solve_options coarse = *o;
+/* Sways at speeds in rising order, until there is no state in the mean wind. */
+struct wf_sway_search {
+    const struct wf_analysis *an;
+    struct wf_peak *peak;
+    struct wf_solve_options coarse;
     struct wf_track *track;
-    double *first = WF_TAKE(a, 3 * an->tree.n, double), *shape = WF_TAKE(a, BANDS * 3 * an->tree.n, double);
-    if (!first || !shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-    qsort(at, k, sizeof *at, wf_ascending);
-    if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, rough);
-    enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
-    if (s) return s;
-    for (size_t i = 0; i < k && !wf_interrupted(); i++) {
-        double next = i + 1 < k ? at[i + 1] : INFINITY;
-        bool compared = i > 0 && at[i] <= highest && next > highest;
-        if (!add_sway(an, p, track, at[i], next, compared, i ? shape : first)) break;
+    size_t n, next; /* speeds, and which is the next */
+    double at[WF_PEAK_SWAYS];
+    double highest; /* specified speed, at which, or at the next below, bands are compared; NAN: they are not,
+                       for nobody is told */
+    double *first, *shape; /* of the sway in still air, of the next */
+};
+
+static enum wf_status open_search(const struct wf_analysis *an, struct wf_peak *p,
+                                  const struct wf_solve_options *o, double highest, struct wf_arena *a,
+                                  struct wf_sway_search *q, struct wf_err *e)
+{
+    q->an = an, q->peak = p, q->coarse = *o, q->highest = highest;
+    q->first = WF_TAKE(a, 3 * an->tree.n, double), q->shape = WF_TAKE(a, BANDS * 3 * an->tree.n, double);
+    if (!q->first || !q->shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+    qsort(q->at, q->n, sizeof *q->at, wf_ascending);
+    if (o->mesh_tolerance > 0.0) q->coarse.mesh_tolerance = fmax(o->mesh_tolerance, rough);
+    p->more = q, p->partial = true;
+    return wf_track_open(&an->tree, &q->coarse, NULL, &q->track, e);
+}
+
+/* No more sways are found. */
+static void close_search(struct wf_sway_search *q)
+{
+    wf_track_close(q->track);
+    q->peak->more = NULL;
+}
+
+/* Are the sways known on which those up to a speed depend: that at it or above, and one more, for the slopes
+ * of the curve through them? */
+static bool covers(const struct wf_sway_search *q, double speed)
+{
+    const size_t n = q->peak->sways;
+    return n >= 2 && q->peak->sway[n - 2].speed >= speed;
+}
+
+static void find_sways(struct wf_sway_search *q, double speed)
+{
+    while (q->next < q->n && !wf_interrupted() && !covers(q, speed)) {
+        const size_t i = q->next++;
+        double next = q->next < q->n ? q->at[q->next] : INFINITY;
+        bool compared = i > 0 && q->at[i] <= q->highest && next > q->highest;
+        if (!add_sway(q->an, q->peak, q->track, q->at[i], next, compared, i ? q->shape : q->first))
+            q->next = q->n;
     }
-    wf_track_close(track);
-    wf_peak_sways_take(p);
-    if (p->sways && at[0] == 0.0) p->still = first;
-    return WF_OK;
+    wf_peak_sways_take(q->peak);
+    if (q->peak->sways && q->at[0] == 0.0) q->peak->still = q->first;
+    if (q->next == q->n) q->peak->partial = false, close_search(q);
+}
+
+void wf_sway_reach(const struct wf_analysis *an, double speed)
+{
+    if (an->peak && an->peak->more) find_sways(an->peak->more, speed);
+}
+
+void wf_sway_end(const struct wf_analysis *an)
+{
+    if (an->peak && an->peak->more) close_search(an->peak->more);
 }
 
 /* Of a tree in a stand: the square of the gust factor 2.1 measured over 15 months at the canopy top of a
@@ -332,19 +372,41 @@ static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct w
     return WF_OK;
 }
 
+enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
+                             size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_peak *p;
+    struct wf_sway_search *q = WF_TAKE(a, 1, struct wf_sway_search);
+    if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+    q->n = pick_speeds(an, speeds, n, q->at);
+    const double highest = n ? speeds[n - 1] : 0.0;
+    enum wf_status s = begin(an, a, &p, e);
+    if (s) return s;
+    an->peak = p;
+    if (p->method->sways) s = open_search(an, p, o, n && d ? highest : NAN, a, q, e);
+    if (!s) wf_sway_reach(an, highest);
+    if (!s && d && p->method->sways) note_limits(an, p, highest, d);
+    if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
+    return s;
+}
+
 enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_peak *p;
-    double at[WF_PEAK_SWAYS];
-    size_t k = pick_speeds(an, speeds, n, at);
-    enum wf_status s = begin(an, a, &p, e);
-    if (s) return s;
-    if (p->method->sways) s = find_sways(an, p, o, at, k, n && d ? speeds[n - 1] : NAN, a, e);
-    an->peak = p;
-    if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
-    if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
+    enum wf_status s = wf_sway_begin(an, o, speeds, n, a, d, e);
+    if (!s) wf_sway_reach(an, INFINITY);
+    wf_sway_end(an);
     return s;
+}
+
+enum wf_status wf_sway_complete(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                                struct wf_err *e)
+{
+    if (!an->peak || !an->peak->partial || !an->n) return WF_OK;
+    double *speeds = WF_TAKE(a, an->n, double);
+    if (!speeds) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+    for (size_t k = 0; k < an->n; k++) speeds[k] = an->at[k].speed;
+    return wf_sway_set_up(an, o, speeds, an->n, a, NULL, e);
 }
 
 /* What the sway of a whole tree depends on, by a shape that grows with the square of the height. */

@@ -17,11 +17,25 @@ extern "C" {
 enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 
-/* The same without a solution, for a tree that differs from another, `like`, in the values of its rows: the
- * other's sways with frequency, modal mass and damping of the air by the ratios of the stem's compliance at
- * its top, of the mass and of the drag area in the crown's wind `speed` [m/s], for a shape that grows with
- * the square of the height. Exact where all rows change by one factor and weight does not bend the tree.
- * Returned: also *out, which is an->peak. */
+/* The same, with the sways that the given speeds need. Those that higher speeds need are found by
+ * wf_sway_reach, before the peak load at a speed [m/s] is asked for, and are the same as if all had been
+ * found at once; nothing is done where they are known. Until wf_sway_end, which is called on success and
+ * failure alike and leaves `partial` in an->peak where sways were not asked for; the analysis stays where it
+ * is, and no two threads ask. */
+enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
+                             size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
+void wf_sway_reach(const struct wf_analysis *an, double speed);
+void wf_sway_end(const struct wf_analysis *an);
+/* All sways of an analysis after wf_analyze, which finds those that it needs: a new an->peak in `a` where
+ * some are not known. Errors: as wf_sway_set_up. */
+enum wf_status wf_sway_complete(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                                struct wf_err *e);
+
+/* As wf_sway_set_up without a solution, for a tree that differs from another, `like`, in the values of its
+ * rows: the other's sways with frequency, modal mass and damping of the air by the ratios of the stem's
+ * compliance at its top, of the mass and of the drag area in the crown's wind `speed` [m/s], for a shape that
+ * grows with the square of the height. Exact where all rows change by one factor and weight does not bend the
+ * tree. Returned: also *out, which is an->peak. */
 enum wf_status wf_sway_alike(struct wf_analysis *an, const struct wf_analysis *like, double speed,
                              struct wf_arena *a, struct wf_peak **out, struct wf_err *e);
 
