@@ -61,6 +61,13 @@ static void print_tree(FILE *to, const struct wf_analysis *an)
         wf_show(to, "; crown from the side %.4g m2, its centre at %.3g m", seen.area, seen.centre);
     if (an->model->lean > 0) wf_show(to, "; leans %.3g deg", degrees(an->model->lean));
     wf_show(to, "%s\n", an->model->season == WF_LEAF_OFF ? "; without leaves" : "");
+    for (size_t k = 0; k < an->model->cavities; k++)
+        wf_show(
+            to,
+            an->model->cavity[k].to_assumed
+                ? "  cavity at %.4g m: taken from %.4g to %.4g m above the ground, the upper end is assumed\n"
+                : "  cavity at %.4g m: from %.4g to %.4g m above the ground\n",
+            an->model->cavity[k].at, an->model->cavity[k].from, an->model->cavity[k].to);
 }
 
 static void print_wind(FILE *to, const struct wf_analysis *an)
