@@ -190,6 +190,7 @@ static void decode(struct wf_rows *r)
         return;
     }
     size_t n = wf_cp1252_to_utf8(r->raw, r->size, r->split);
+    r->cp1252 = r->cp1252 || n != (size_t)-1;
     if (n == (size_t)-1) {
         n = 0;
         r->wrong = "its bytes are neither UTF-8 nor Windows-1252";
