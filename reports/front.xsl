@@ -94,7 +94,9 @@
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">fp.snow</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$s/snow/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$s/snow/value"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
   <xsl:if test="$s/ice/value &gt; 0">
@@ -110,7 +112,9 @@
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">fp.rain</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="wetted/film_mm"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="wetted/film_mm"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
   <xsl:if test="$s/winter_wind/value &lt; 1">

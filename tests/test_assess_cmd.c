@@ -295,6 +295,33 @@ static void every_direction_counts(void **state)
 {
     (void)state;
     static const struct row rows[] = {
+        /* of a ridge the weakest direction is found, whatever the model's axes */
+        { "for n in 0deg 40deg; do $W assess --species oak --height 20m --girth 2.5m --crown-width 14m "
+          "--crown-base 4m --soil mineral --wind 20 --samples 0 --dem docs/examples/heights.asc --at "
+          "1700,1450 "
+          "--north $n | grep 'against over\\|y wind\\|gov.*dir' | cut -c1-44; done",
+          CODE_OK,
+          { "overturning      0.74", "wind from 270 deg", "wind from 95 deg" } },
+        { "$W assess --species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --lean 9deg "
+          "--wind "
+          "20 --samples 0",
+          CODE_OK,
+          { "(--lean-towards): directions are as if it leaned towards 90 deg" } },
+        /* a spruce 100 times as high as thick does not stand under its crown: it is said, in a table too */
+        { "A='--soil mineral --samples 0 --wind 20'; $W assess --species norway_spruce --height 35m --dbh "
+          "0.35m "
+          "--crown-width 5.25m --crown-base 24.5m $A; (echo "
+          "species,height_m,dbh_m,crown_width_m,crown_base_m; "
+          "echo norway_spruce,35,0.33,6,20) >$T/t.csv; $W assess $T/t.csv -o $T/o.csv -q $A; cat $T/o.csv",
+          CODE_OK,
+          { "critical wind: fails under its own weight",
+            "lost under its own weight, without wind. A tree that", " self-weight " } },
+        /* no strength, but an anchorage: all pages are drawn */
+        { "$W assess --species willow_feng1999 --height 16m --dbh 0.457m --crown-width 9.6m --crown-base "
+          "3.2m "
+          "--soil mineral --samples 0 --wind 20 -o $T/w --no-pdf; grep -c 'id=\"safety\"' $T/w/report.html",
+          CODE_OK,
+          { "Results, tables, plots and page", "\n1\n" } },
         { "O='--species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --lean 20deg "
           "--lean-towards 45deg --samples 0'; $W assess $O --pull-moment 900kNm --wind 34 --scenarios "
           "root_loss=0deg:120deg 2>/dev/null | grep -A3 'what is done' | tr -s ' '",
@@ -522,6 +549,13 @@ static void beside_the_verdict(void **state)
           "[0-9.]* mm\\|With snow' $T/q/report.html",
           CODE_RUN,
           { "mm of rain on the leaves\n", "return period of that wind: about", "does not matter", "\n0\n" } },
+        { "$W assess --species oak --height 20m --girth 250 cm --crown-width 14 --crown-base 4 --wind 20; $W "
+          "assess oak --wind "
+          "20 --lang zh",
+          CODE_INPUT,
+          { "'cm' is taken as the name of a card or a table, and there is no such file; a value and its unit "
+            "are one word",
+            "“oak”被当作卡片或表格的文件名" } },
         { "$W assess models/cards/oak.yaml --leaf-off yes; $W assess models/cards/oak.yaml --leaf-off=no; $W "
           "assess "
           "models/cards/oak.yaml --season leaf_off --leaf-off-share 0; printf 'year,speed_ms\\n' >$T/a.csv; "

@@ -104,6 +104,8 @@ static void names_find_tables(void **state)
         { "Platanus × acerifolia", "plane" },
         { "weißbuche", "hornbeam" },
         { "橡树", "oak" },
+        { "Tilia cordata 'Greenspire'", "lime" },
+        { "Quercus robur “Fastigiata”", "oak" },
         { "栎树", "oak" },
         { "桦树", "birch" },
         { "法桐", "plane" },

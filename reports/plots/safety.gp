@@ -19,8 +19,9 @@ do for [n=1:words(STRONG)] {
     most = S_max > most ? S_max : most
     stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") <= SPEED_MAX, column(safety_of(n)))) name 'S' nooutput
     from = S_min < from ? S_min : from
+    undefine S_*   # of a tree whose root alone is known there is no such number
     stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") <= SPEED_MAX, column("least_safety"))) name 'S' nooutput
-    from = S_min > 0 && S_min < from ? S_min : from
+    if (exists('S_min')) { from = S_min > 0 && S_min < from ? S_min : from }
 }
 from = from < 0.1 ? 0.1 : from
 set xrange [0:PER[SPEED]*SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10

@@ -190,6 +190,7 @@ static void decode(struct wf_rows *r)
         return;
     }
     size_t n = wf_cp1252_to_utf8(r->raw, r->size, r->split);
+    r->cp1252 = r->cp1252 || n != (size_t)-1;
     if (n == (size_t)-1) {
         n = 0;
         r->wrong = "its bytes are neither UTF-8 nor Windows-1252";
@@ -262,6 +263,8 @@ static enum wf_status read_header(struct wf_rows *r, void (*before)(void *contex
         if (r->line == 1 && !strncmp(text, "\xEF\xBB\xBF", 3))
             r->size -= 3, memmove(text, text + 3, r->size + 1), r->marked = true;
         bool said = r->line == 1 && r->size == 5 && !strncasecmp(text, "sep=", 4) && strchr(",;\t", text[4]);
+        if (r->line == 1 && (!strncmp(text, "PK\003\004", 4) || !strncmp(text, "\xD0\xCF\x11\xE0", 4)))
+            return wf_fail(e, WF_EINPUT, "%s: is a workbook; save its sheet as CSV in UTF-8", r->file);
         const char *alone = strchr(text, '\r');
         if (alone && alone[1] != '\n')
             return wf_fail(e, WF_EINPUT,

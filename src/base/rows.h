@@ -31,6 +31,7 @@ struct wf_rows {
     char *held;        /* text that was read and is not used yet */
     size_t held_size, next_line;
     bool utf16;              /* the file is; all texts are UTF-8 */
+    bool cp1252;             /* a row up to here is in Windows-1252 */
     bool marked;             /* it begins with a byte order mark, which is in none of the texts */
     size_t scanned, skipped; /* searches for the end of a long cell; lines left out behind the current row */
     char *split;             /* the cells' text */

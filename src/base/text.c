@@ -226,6 +226,30 @@ size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to)
     return n;
 }
 
+/* The byte of Windows-1252 that a character of `n` bytes is; '?': none. */
+static char cp1252_byte(const char *character, size_t n)
+{
+    char utf8[4];
+    for (unsigned b = 0x80; b <= 0xFF; b++) {
+        char byte = (char)b;
+        if (wf_cp1252_to_utf8(&byte, 1, utf8) == n && !memcmp(utf8, character, n)) return byte;
+    }
+    return '?';
+}
+
+char *wf_utf8_to_cp1252(const char *text, struct wf_arena *a)
+{
+    char *out = wf_arena_text(a, text), *to = out;
+    for (const char *p = text; out && *p;) {
+        size_t n = 1;
+        while (((unsigned char)p[n] & 0xC0) == 0x80) n++;
+        *to++ = n == 1 ? *p : cp1252_byte(p, n);
+        p += n;
+    }
+    if (out) *to = '\0';
+    return out;
+}
+
 /* Names. */
 
 static unsigned char ascii_lower(char c)

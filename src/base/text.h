@@ -46,6 +46,9 @@ size_t wf_utf16_to_utf8(const char *text, size_t size, enum wf_utf16 order, char
  * or a line end, is not in the code page, or when the text also has characters in UTF-8. */
 size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to);
 
+/* The other way: UTF-8 as Windows-1252, with '?' for what that does not have. NULL: no memory. */
+char *wf_utf8_to_cp1252(const char *text, struct wf_arena *a);
+
 /* For comparing names: letters of ASCII, Latin-1 and Latin Extended-A in lower case without their accents (ß
  * becomes ss), combining accents left out, '-', '_' and several blanks as one, × as x; the rest, such as
  * Chinese, as it is. Returned: text in the arena, NULL without memory. */

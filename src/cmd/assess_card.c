@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/assess_card.h"
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/assess_fit.h"
@@ -101,6 +102,19 @@ static bool width_wrong(const void *options, const struct wf_option *row, char *
     return wrong_value(options, WF_CARD_WIDTH, why);
 }
 
+/* "--girth 250 cm" without quotes: the unit is no table. */
+static bool operand_wrong(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_args *a = options;
+    const char *operand = a->n ? a->operand[0] : "";
+    (void)row;
+    return wf_option_unused(
+        *operand && !strpbrk(operand, "./") && !wf_file_is_there(operand), why,
+        "'%.60s' is taken as the name of a card or a table, and there is no such file; a value "
+        "and its unit are one word, 250cm or '250 cm'",
+        operand);
+}
+
 static bool species_wrong(const void *options, const struct wf_option *row, char *why)
 {
     const char *name = ((const struct wf_assess_options *)options)->species, *path;
@@ -186,7 +200,7 @@ static bool scans_unused(const void *options, const struct wf_option *row, char 
 
 #define OPTIONS struct wf_assess_options
 static const struct wf_option card_rows[] = {
-    TEXT("--card", name, "NAME", NULL, "name of the tree; the first key of a card"),
+    TEXT("--card", name, "NAME", NULL, "name of the tree; the first key of a card", .wrong = operand_wrong),
     TEXT("--species", species, "SPECIES", NULL,
          "species table: a file or the name of a shipped one ('windfirm species list')",
          .wrong = species_wrong, .unused = card_unused),
@@ -298,6 +312,11 @@ enum wf_status wf_assess_model(const struct wf_assess_options *o, const struct w
                      "assessed as one that stands alone in the open, which its neighbours' shelter does not "
                      "help: far lower winds",
                      o->height / (isnan(o->dbh) ? o->girth / WF_PI : o->dbh));
+    if (o->lean > 0 && isnan(o->lean_towards))
+        wf_diag_warn(d, "lean-towards",
+                     "where the tree leans to is not given (--lean-towards): directions are as if it leaned "
+                     "towards %.4g deg",
+                     remainder(wf_wind_from(c.lean_azimuth, o->run.north) * 180 / WF_PI - 180, 360));
     if ((s = wf_card_model(&c, sp, a, out, e))) return s;
     if (o->name) out->name = o->name;
     beside.crown.width = beside.crown.depth = beside.crown.area = NAN; /* they are the card's */
@@ -406,12 +425,13 @@ enum wf_status wf_assess_case_run(struct wf_assess_case *c, struct wf_arena *a, 
     const struct wf_assess_often often = wf_assess_often_of(&c->options);
     double worst = q->scenario.azimuth;
     enum wf_status s = WF_OK;
-    bool turns = !c->alone && !wf_assess_is_round(&c->model, &q->scenario) && !q->scenario.site;
+    bool turns = !c->alone && !wf_assess_is_round(&c->model, &q->scenario);
     if (c->alone) worst = c->towards;
     if (turns)
         s = wf_assess_around(c->species, &c->model, &q->scenario, q->solver, &q->solve,
                              wind->speed[wind->n - 1], q->directions.north, c->around, &worst, e);
-    if (!WF_GIVEN(&c->options.run, azimuth)) q->scenario.azimuth = worst;
+    if (!s && !WF_GIVEN(&c->options.run, azimuth))
+        s = wf_scenario_turn(&q->scenario, worst, q->directions.north, e);
     if (!s)
         s = wf_analyze(c->species, &c->model, &q->scenario, &q->search, q->solver, &q->solve, wind->speed,
                        wind->n, a, d, &c->an, e);

@@ -38,7 +38,8 @@ static const struct known {
       false },
     { "--crown-width",
       "crown_diameter crown_spread canopy_width canopy_spread canopy_diameter kronenbreite "
-      "kronendurchmesser kronendm largeur_houppier diametre_houppier largeur_couronne diametre_couronne "
+      "kronendurchmesser krone_durchmesser kronendm krone_o kronen_o largeur_houppier diametre_houppier "
+      "largeur_couronne diametre_couronne "
       "冠幅 树冠宽 树冠直径 冠径",
       false },
     { "--crown-depth",
@@ -88,8 +89,9 @@ static const struct known {
 static const char ambiguous[] = "abstand distance distanz entfernung ecart 距离 间距";
 
 /* Columns that say which tree a row is. */
-static const char numbers[] = "number tree_number tree_no no nr id tree_id baum_id baumnummer baumnr numero "
-                              "numero_arbre num no_arbre 编号 树号 树木编号 序号";
+static const char numbers[] =
+    "number tree_number tree_no no nr n° id tree_id baum_id baumnummer baumnr numero "
+    "numero_arbre num no_arbre 编号 树号 树木编号 序号";
 
 /* Heads of lists of trees that are also options: they may name any place. */
 static const char everyday[] = "site region";

@@ -165,10 +165,13 @@ void wf_tree_row_write(const struct wf_tree_columns *c, const struct wf_tree_row
 {
     const char s = c->rows->separator;
     const size_t cells = WF_COUNT(added) - 4, stand = WF_COUNT(added_stand) - 1;
+    struct wf_arena scratch = { 0 };
     fputs(row->text, to);
     if (row->state != WF_ROW_BLANK) {
         fputc(s, to), put_text(state_word(row), s, to);
-        fputc(s, to), put_text(row->reason ? row->reason : "", s, to);
+        const char *reason = row->reason ? row->reason : "",
+                   *own = row->cp1252 ? wf_utf8_to_cp1252(reason, &scratch) : reason;
+        fputc(s, to), put_text(own ? own : "", s, to);
         fputc(s, to);
         if (row->state == WF_ROW_DONE)
             put_result(&row->single, s, true, to);
@@ -184,6 +187,7 @@ void wf_tree_row_write(const struct wf_tree_columns *c, const struct wf_tree_row
         }
     }
     fputc('\n', to);
+    wf_arena_free(&scratch);
 }
 
 /* ---- Files of trees ---- */
@@ -329,6 +333,19 @@ static bool is_word(const struct wf_option *o, const char *cell)
     return false;
 }
 
+/* "1,3m:80mm" of a table whose cells are not apart by commas: a decimal comma, also of a wind. */
+static const char *with_points(const struct wf_tree_columns *c, const struct wf_option *o, const char *cell,
+                               struct wf_arena *a)
+{
+    static const char *const composed[] = { "--cavity", "--guy", "--cable", "--rod", "--bark", "--wind" };
+    bool is = false;
+    char *text = wf_arena_text(a, cell);
+    for (size_t k = 0; k < WF_COUNT(composed); k++) is = is || !strcmp(o->name, composed[k]);
+    for (char *p = text; p && is && c->rows->separator != ',' && (p = strchr(p, ',')); p++)
+        if (p > text && isdigit((unsigned char)p[-1]) && isdigit((unsigned char)p[1])) *p = '.';
+    return text;
+}
+
 /* A cell as an option takes it: a plain number in SI where the column has a unit, with a decimal point. NULL:
  * no memory. */
 static const char *value_of(const struct wf_tree_columns *c, size_t column, const char *cell,
@@ -339,7 +356,7 @@ static const char *value_of(const struct wf_tree_columns *c, size_t column, cons
     bool speeds = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
     double v;
     if (is_nothing(o->name, cell) || (head->use == WF_HEAD_WORDS && !is_word(o, cell))) return "";
-    if (o->kind != WF_OPTION_NUMBER && !(speeds && isfinite(head->factor))) return wf_arena_text(a, cell);
+    if (o->kind != WF_OPTION_NUMBER && !(speeds && isfinite(head->factor))) return with_points(c, o, cell, a);
     const char *end = cell + strlen(cell), *stop = wf_number_read(cell, end, '.', &v);
     if (c->rows->separator != ',' && stop && *stop == ',') stop = wf_number_read(cell, end, ',', &v);
     if (!stop) return wf_arena_text(a, cell);
@@ -373,6 +390,13 @@ static const char *cell_fault(const struct wf_tree_columns *c, const struct wf_r
             "the answer: %s%s",
             r->line, r->name[k], cell, card ? "assess this tree by a card" : option,
             card ? "" : " is given for all rows");
+    if (head->use != WF_HEAD_REFUSED && !strcmp(option, "--cavity") && !strpbrk(cell, ":./") &&
+        !is_nothing(option, cell))
+        return wf_arena_print(
+            a,
+            "%s: '%.60s' is no cavity, which is a height and the sound wall there, for example "
+            "1.3m:80mm",
+            r->name[k], cell);
     if (head->use != WF_HEAD_REFUSED && names_file(option, cell))
         return wf_arena_print(a, "%s: '%.60s' names a file; cells of a table open none", r->name[k], cell);
     return NULL;
@@ -441,6 +465,7 @@ static void take_reason(struct wf_tree_row *row, const struct wf_err *why)
     for (const struct wf_finding *f = row->diag.first; f && !row->reason; f = f->next)
         if (f->severity == WF_ERROR) row->reason = f->text;
     if (!row->reason) row->reason = wf_arena_text(&row->arena, why->text);
+    if (row->reason) row->reason += strspn(row->reason, "-"); /* a cell is no option */
 }
 
 /* From options to what is computed. Mistakes become the row's reason. */
@@ -475,7 +500,8 @@ static const char *text_of(const struct wf_rows *r, struct wf_tree_row *row)
     } else {
         for (size_t k = 0; k < r->columns; k++) {
             if (k) fputc(r->separator, to);
-            put_text(r->cell[k], r->separator, to);
+            const char *own = row->cp1252 ? wf_utf8_to_cp1252(r->cell[k], &row->arena) : r->cell[k];
+            put_text(own ? own : "", r->separator, to);
         }
     }
     bool whole = !fclose(to);
@@ -519,6 +545,12 @@ static const char *row_fault(const struct wf_tree_columns *c, const struct wf_ro
     return wf_arena_print(a, "line %zu: %zu cells for %zu columns%s", r->line, r->cells, r->columns, rest);
 }
 
+static bool has_accents(const char *text)
+{
+    while (*text && (unsigned char)*text < 128) text++;
+    return *text;
+}
+
 enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows *r, struct wf_tree_row *out,
                                 struct wf_err *e)
 {
@@ -529,6 +561,8 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
         return out->text ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for a row");
     }
     out->state = WF_ROW_MISTAKE;
+    out->cp1252 =
+        r->cp1252 && !(has_accents(r->raw) && wf_utf8_valid(r->raw, r->size, &(struct wf_utf8_fault){ 0 }));
     out->text = text_of(r, out);
     out->reason = row_fault(c, r, &out->arena);
     out->number = number_of(c, r, &out->arena);

@@ -20,7 +20,8 @@ struct wf_tree_row {
     struct wf_arena arena; /* of all below */
     enum wf_row_state state;
     const char *text;   /* the row as it is to be written, in the columns of the table */
-    const char *reason; /* NULL: none */
+    const char *reason; /* in UTF-8; NULL: none */
+    bool cp1252;        /* it is written in Windows-1252, as the row is */
     size_t line;        /* of the table, 1-based */
     const char *number; /* of the tree, as its cell has it; NULL: there is none */
     struct wf_diag diag;

@@ -79,13 +79,13 @@ static enum wf_status take_direction(struct wf_analyze_work *run, struct wf_err 
     }
     w->list.fit = w->options.from ? &w->fit : NULL, w->list.whole = &run->model;
     if (wf_assess_list_check(&w->list, run->species, e)) return e->code;
-    if (wf_assess_is_round(&run->model, &q->scenario) || q->scenario.site) return WF_OK;
+    if (wf_assess_is_round(&run->model, &q->scenario)) return WF_OK;
     w->directions = WF_ASSESS_DIRECTIONS;
     enum wf_status s = wf_assess_around(run->species, &run->model, &q->scenario, q->solver, &q->solve,
                                         run->options.wind.speed[run->options.wind.n - 1], q->directions.north,
                                         w->direction, &worst, e);
-    if (!s && !WF_GIVEN(&run->options, azimuth)) q->scenario.azimuth = worst;
-    return s;
+    if (s || WF_GIVEN(&run->options, azimuth)) return s;
+    return wf_scenario_turn(&q->scenario, worst, q->directions.north, e);
 }
 
 static enum wf_status take_assessment(struct wf_analyze_work *run, struct wf_analysis *an, struct wf_err *e)

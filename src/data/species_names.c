@@ -178,6 +178,17 @@ static const char *tables_text(const char *before, const struct wf_species **of,
     return text;
 }
 
+/* "Tilia cordata 'Greenspire'" is a Tilia cordata. Returned: NULL where no cultivar is named. */
+static const char *without_cultivar(const char *name, struct wf_arena *a)
+{
+    static const char *const quote[] = { " '", " \"", " \xE2\x80\x98", " \xE2\x80\x9E", " \xE2\x80\x9C" };
+    for (size_t k = 0; k < sizeof quote / sizeof *quote; k++) {
+        const char *at = strstr(name, quote[k]);
+        if (at && at > name) return wf_arena_print(a, "%.*s", (int)(at - name), name);
+    }
+    return NULL;
+}
+
 enum wf_status wf_species_path(const char *share, const char *name, const struct wf_laws *laws,
                                struct wf_arena *a, const char **path, struct wf_err *e)
 {
@@ -194,6 +205,8 @@ enum wf_status wf_species_path(const char *share, const char *name, const struct
     if (n)
         return wf_fail(e, WF_EINPUT, "%s: several species tables have that name%s", name,
                        tables_text("; say which:", found, n, a));
+    const char *species = without_cultivar(name, a);
+    if (species) return wf_species_path(share, species, laws, a, path, e);
     n = tables_that(&l, wf_text_folded(name, a), is_genus, a, found, NEAR_MAX);
     if (n > 1)
         return wf_fail(e, WF_EINPUT, "%.60s: no shipped species table is of all of these trees%s", name,

@@ -248,11 +248,17 @@ enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profil
 enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, double north, struct wf_arena *a,
                                 struct wf_err *e)
 {
-    double from = wf_wind_from(s->azimuth, north);
     enum wf_status status = wf_site_read(site, a, e);
-    if (!status) status = wf_site_speed_up(site, from, s->reference_height, s->roughness, &s->speed_up, e);
     s->site = site;
-    return status;
+    return status ? status : wf_scenario_turn(s, s->azimuth, north, e);
+}
+
+enum wf_status wf_scenario_turn(struct wf_scenario *s, double azimuth, double north, struct wf_err *e)
+{
+    s->azimuth = azimuth;
+    if (!s->site) return WF_OK;
+    return wf_site_speed_up(s->site, wf_wind_from(azimuth, north), s->reference_height, s->roughness,
+                            &s->speed_up, e);
 }
 
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)

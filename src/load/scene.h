@@ -191,6 +191,9 @@ enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profil
  * wf_site_speed_up. */
 enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, double north, struct wf_arena *a,
                                 struct wf_err *e);
+/* Turn the wind towards an azimuth [rad], with the exposure of the site in it. `north` as above. Errors:
+ * those of wf_site_speed_up. */
+enum wf_status wf_scenario_turn(struct wf_scenario *s, double azimuth, double north, struct wf_err *e);
 /* Wind field of a checked scenario, with speed 0. */
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
 /* Wind speed at the tree at the reference height, given the named speed [m/s]: the named speed times

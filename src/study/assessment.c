@@ -73,7 +73,8 @@ bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc)
 {
     const struct wf_anchorage_request *roots = sc->anchorage;
     bool round = m->generator == WF_GENERATOR_STEM && m->lean == 0 && !m->sections;
-    if (sc->guys || sc->braces || (roots && roots->lost > 0 && roots->lost_half < M_PI)) return false;
+    if (sc->site || sc->guys || sc->braces || (roots && roots->lost > 0 && roots->lost_half < M_PI))
+        return false;
     for (size_t k = 0; k < m->cavities && round; k++)
         round = !isnan(m->cavity[k].wall) && m->cavity[k].offset == 0 && m->cavity[k].opening == 0;
     return round;
@@ -82,15 +83,16 @@ bool wf_assess_is_round(const struct wf_model *m, const struct wf_scenario *sc)
 /* One direction of an analysis that is set up; its sway is that along this wind. Safeties are of the stem:
  * the state at the peak of the branches' load is not computed. */
 static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve_options *o, double speed,
-                           double azimuth, struct wf_at_speed *at, struct wf_err *e)
+                           double azimuth, double north, struct wf_at_speed *at, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_analysis an = *from;
-    an.scenario.azimuth = azimuth;
+    enum wf_status s = wf_scenario_turn(&an.scenario, azimuth, north, e);
+    if (s) return s;
     an.wind.direction[0] = cos(azimuth), an.wind.direction[1] = sin(azimuth);
     an.loads.wind = &an.wind;
     wf_analysis_turned(&an);
-    enum wf_status s = wf_sway_set_up(&an, o, &speed, 1, &scratch, NULL, e);
+    s = wf_sway_set_up(&an, o, &speed, 1, &scratch, NULL, e);
     struct wf_peak stem = *an.peak;
     stem.branches = false, an.peak = &stem;
     if (!s) s = wf_speed_totals(&an, o, speed, at, e);
@@ -112,7 +114,7 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
     for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !s; k++) {
         struct wf_at_speed at;
         double azimuth = m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS;
-        if ((s = turn(&an, o, speed, azimuth, &at, e))) break;
+        if ((s = turn(&an, o, speed, azimuth, north, &at, e))) break;
         out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
                                                .breakage = part_at(&an.tree, &at, false),
                                                .overturning = part_at(&an.tree, &at, true),

@@ -185,6 +185,19 @@ static void check_unverified(const struct wf_analysis *an, struct wf_diag *d)
                      an->species->name, wind_seen);
 }
 
+/* A tree that falls without wind stands all the same. */
+static void check_stands(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_verdict v = wf_verdict_of(an->breaks);
+    if (v.loss && v.loss->critical.outcome == WF_CRITICAL_SELF_WEIGHT)
+        wf_diag_warn(
+            d, "self-weight",
+            "%s: as it is described it is lost under its own weight, without wind. A tree that stands "
+            "is not so: check its height and thickness, the crown with its mass, and the anchorage; "
+            "safeties in wind say little",
+            an->species->name);
+}
+
 /* Strengths of small specimens on a thick stem. */
 static void check_size(const struct wf_analysis *an, struct wf_diag *d)
 {
@@ -403,6 +416,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     limits_wind(an, d);
     check_critical(an, d);
     check_corridor(an, d);
+    check_stands(an, d);
     check_unverified(an, d);
     check_size(an, d);
     check_soil(an, d);

@@ -4,7 +4,7 @@
 /* Validity of a finished analysis: each limit that is exceeded becomes a warning that states by how much.
  * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, steep, map-edge,
  * assumed-values, as-printed, no-strength, no-equilibrium, critical-above-range, searched-further,
- * search-ended, through-ground, unverified-safety, unverified-wind, size-effect,
+ * search-ended, self-weight, through-ground, unverified-safety, unverified-wind, size-effect,
  * anchorage-soil, diaphragms, twig-leaves, root-linear. */
 #include "base/err.h"
 #include <stdbool.h>
