@@ -321,7 +321,9 @@
         <xsl:with-param name="id">anchorage</xsl:with-param>
         <xsl:with-param name="a"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:with-param>
         <xsl:with-param name="b">
-          <xsl:call-template name="number"><xsl:with-param name="x" select="moment_by_method/value div 1000"/></xsl:call-template>
+          <!-- results of earlier versions have the moment alone -->
+          <xsl:call-template name="number">
+            <xsl:with-param name="x" select="(moment_by_method | moment[not(../moment_by_method)])/value div 1000"/></xsl:call-template>
         </xsl:with-param>
         <xsl:with-param name="c">
           <xsl:call-template name="say"><xsl:with-param name="id" select="concat('anchorage.', name)"/></xsl:call-template>

@@ -315,7 +315,7 @@ static void every_direction_counts(void **state)
           "echo norway_spruce,35,0.33,6,20) >$T/t.csv; $W assess $T/t.csv -o $T/o.csv -q $A; cat $T/o.csv",
           CODE_OK,
           { "critical wind: fails under its own weight",
-            "lost under its own weight, without wind. A tree that", " self-weight " } },
+            "lost under its own weight, without wind. A tree that", " self-weight ", ",0,0,,breakage," } },
         /* a share of the wind, with snow, says nothing of the whole without it */
         { "A='--species oak --height 18m --dbh 0.6m --crown-width 10m --crown-base 4m --soil mineral "
           "--samples 64'; "

@@ -295,7 +295,8 @@ static void print_missing(FILE *to, const struct wf_analysis *an)
     struct wf_verdict v = wf_verdict_of(an->breaks);
     wf_show(to, "  not assessed: limbs, forks and unions");
     if (an->model->judged_to > 0)
-        wf_show(to, ", and the stem above the middle of the crown (%.3g m)", an->model->judged_to);
+        wf_show(to, ", and the stem above the middle of the crown (%.3g m)",
+                an->model->judged_to * cos(an->model->lean));
     wf_show(
         to,
         "; its flare and the roots as they are; decay other than the cavities given; wear by many gusts\n");

@@ -92,15 +92,17 @@ static void put_result(const struct wf_assess_case *r, char separator, bool year
     enum wf_criterion_id by;
     const struct wf_critical *c = loss(r, &by);
     enum { SAFETIES = 5 };
-    bool found = c && c->outcome == WF_CRITICAL_FOUND;
+    const bool falls = c && c->outcome == WF_CRITICAL_SELF_WEIGHT, /* without wind */
+        found = falls || (c && c->outcome == WF_CRITICAL_FOUND);
+    const double speed = falls ? 0 : found ? c->speed : (double)NAN;
     put_text(wf_assess_rows[x->word].name, separator, to);
     const double number[] = { x->breakage.safety,
                               x->sound,
                               x->overturning.safety,
                               x->low,
                               x->high,
-                              found ? c->speed : (double)NAN,
-                              found ? wf_scenario_gust(&r->an.scenario, c->speed) : (double)NAN,
+                              speed,
+                              wf_scenario_gust(&r->an.scenario, speed),
                               found ? fmod(x->from * 180 / WF_PI + 360, 360) : (double)NAN };
     for (size_t k = 0; k < WF_COUNT(number); k++) {
         fputc(separator, to);
