@@ -361,6 +361,19 @@
         </xsl:if>
       </xsl:for-each>
     </xsl:when>
+    <xsl:when test="assessment/directions/item"> <!-- results of earlier versions -->
+      <xsl:for-each select="assessment/directions/item[breakage/value != '' or overturning/value != '']">
+        <xsl:sort select="(breakage[not(../overturning/value &lt; value)] | overturning[not(../breakage/value &lt;= value)])/value"
+                  data-type="number"/>
+        <xsl:if test="position() = 1">
+          <xsl:call-template name="say">
+            <xsl:with-param name="id">fp.direction.weakest</xsl:with-param>
+            <xsl:with-param name="a" select="format-number($degrees * from/value, '0.#')"/>
+            <xsl:with-param name="b" select="count(../item)"/>
+          </xsl:call-template>
+        </xsl:if>
+      </xsl:for-each>
+    </xsl:when>
     <xsl:when test="assessment">
       <xsl:call-template name="say"><xsl:with-param name="id">fp.direction.same</xsl:with-param></xsl:call-template>
     </xsl:when>
