@@ -76,6 +76,20 @@
       </xsl:for-each>
     </tbody>
   </table>
+  <p>
+    <xsl:for-each select="$trees/cavities/item[to_m != '']">
+      <xsl:if test="position() &gt; 1"><xsl:value-of select="$gap"/></xsl:if>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">cv.extent</xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="at_m"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="b">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="from_m"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="c">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="to_m"/></xsl:call-template></xsl:with-param>
+      </xsl:call-template>
+    </xsl:for-each>
+  </p>
   <xsl:if test="$trees/cavities/item[open = 'true']">
     <p><xsl:call-template name="say"><xsl:with-param name="id">cv.open</xsl:with-param></xsl:call-template></p>
   </xsl:if>

@@ -2,10 +2,15 @@
 /* Speed and memory of the structural engine. Times are processor time of this process, the best of several
  * runs; ratios are taken within one run, so that they hold on a busy machine too. */
 #include "beam_cases.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include "solve/beam_eliminate.h"
 #include "solve/beam_many.h"
 #include "solve/modes.h"
+#include "study/analysis.h"
+#include "study/node.h"
+#include "study/sway.h"
+#include "study/verdict.h"
 #include <stdlib.h>
 #include <sys/resource.h>
 #include <time.h>
@@ -298,6 +303,52 @@ static void linear(struct beam_case *c)
     printf("      linear solver: %.3f s, %.0f ns/element\n", best, best / (double)c->tree.n * 1e9);
 }
 
+/* The critical wind speeds of stem and branches by all criteria that apply to solid wood, with the sways for
+ * the peak load and without. */
+static void criticals(struct beam_case *c)
+{
+    struct wf_tree *t = &c->tree;
+    double best[2] = { INFINITY, INFINITY }, loss = NAN;
+    struct wf_level level = { .name = "stem" };
+    const struct wf_species species = { .name = "wood", .level = &level, .levels = 1 };
+    const double anchorage = 2e5, speed = 10;
+    for (size_t i = 0; i < t->n; i++) {
+        t->strength[i] = 60e6, t->compressive[i] = 27e6, t->shearing[i] = 9e6;
+        t->level[i] = i && t->parent[i] != (int32_t)i - 1;
+        if (i && !t->level[i]) t->level[i] = t->level[i - 1];
+    }
+    t->anchorage = anchorage;
+    t->room = (struct wf_room){ 6, { 1, 0 }, 0.5 };
+    for (int k = 0; k < 6; k++) {
+        struct wf_arena a = { 0 };
+        struct wf_break out[WF_CRITERIA][WF_SCOPES];
+        struct wf_analysis an = { .species = &species,
+                                  .solver = &wf_solver_beam,
+                                  .tree = *t,
+                                  .loads = c->loads,
+                                  .wind = c->wind,
+                                  .tallness = wf_tree_height(t) };
+        wf_scenario_default(&an.scenario);
+        an.scenario.peak.damping = 0.03;
+        wf_search_default(&an.search);
+        an.loads.wind = &an.wind;
+        double start = now();
+        if (wf_sway_set_up(&an, &c->options, &speed, 1, &a, NULL, &c->err)) printf("%s\n", c->err.text);
+        best[0] = fmin(best[0], now() - start);
+        struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
+        start = now();
+        if (!nodes || wf_analysis_breaks(&an, &c->options, nodes, out, &c->err)) printf("%s\n", c->err.text);
+        best[1] = fmin(best[1], now() - start);
+        loss = wf_verdict_of((const struct wf_break(*)[WF_SCOPES])out).loss->critical.speed;
+        wf_nodes_close(nodes);
+        wf_arena_free(&a);
+    }
+    printf(
+        "      critical winds by all criteria: sways %.1f ms, search %.1f ms; the tree is lost at %.4f m/s "
+        "(bar 50 ms)\n",
+        1e3 * best[0], 1e3 * best[1], loss);
+}
+
 static double children(void)
 {
     struct rusage u;
@@ -376,6 +427,7 @@ int main(int argc, char **argv)
         measure(&c, name[k], speed[k], k);
         lanes(&c, mild[k], k);
         if (k < 2) directions(&c, mild[k]);
+        if (k == 0) criticals(&c);
         if (k == 1) frequencies(&c);
         if (k == 2) linear(&c);
         beam_free(&c);

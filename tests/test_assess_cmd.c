@@ -316,6 +316,20 @@ static void every_direction_counts(void **state)
           CODE_OK,
           { "critical wind: fails under its own weight",
             "lost under its own weight, without wind. A tree that", " self-weight " } },
+        /* a share of the wind, with snow, says nothing of the whole without it */
+        { "A='--species oak --height 18m --dbh 0.6m --crown-width 10m --crown-base 4m --soil mineral "
+          "--samples 64'; "
+          "$W assess $A --wind 20 --snow 20cm --winter-wind 0.4; $W assess $A --wind 20 --lean 45deg",
+          CODE_OK,
+          { "INCOMPLETE: what was", "with what is on it in 40 % of this wind", "LOST: as computed",
+            "90 % of 64 samples between 0 and" } },
+        { "$W assess --species oak --height 18m --dbh 0.6m --crown-width 10m --crown-base 4m --cavity "
+          "9m:20mm "
+          "--wind 20 --samples 0 -o $T/c --no-pdf; grep -o 'measured at 9 m is taken from 0 to 18 m' "
+          "$T/c/report.html",
+          CODE_OK,
+          { "cavity at 9 m: taken from 0 to 18 m above the ground, the upper end is assumed",
+            "\nmeasured at 9 m is taken from 0 to 18 m\n" } },
         /* no strength, but an anchorage: all pages are drawn */
         { "$W assess --species willow_feng1999 --height 16m --dbh 0.457m --crown-width 9.6m --crown-base "
           "3.2m "

@@ -61,6 +61,13 @@ static void print_tree(FILE *to, const struct wf_analysis *an)
         wf_show(to, "; crown from the side %.4g m2, its centre at %.3g m", seen.area, seen.centre);
     if (an->model->lean > 0) wf_show(to, "; leans %.3g deg", degrees(an->model->lean));
     wf_show(to, "%s\n", an->model->season == WF_LEAF_OFF ? "; without leaves" : "");
+    for (size_t k = 0; k < an->model->cavities; k++)
+        wf_show(
+            to,
+            an->model->cavity[k].to_assumed
+                ? "  cavity at %.4g m: taken from %.4g to %.4g m above the ground, the upper end is assumed\n"
+                : "  cavity at %.4g m: from %.4g to %.4g m above the ground\n",
+            an->model->cavity[k].at, an->model->cavity[k].from, an->model->cavity[k].to);
 }
 
 static void print_wind(FILE *to, const struct wf_analysis *an)
@@ -73,10 +80,12 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
         "  wind: %s%s%.1f m/s 10-min mean at %.4g m over terrain %s, 3-s gust %.1f m/s; load of gusts: %s",
         s->design ? s->design->title : "", s->design ? ", " : "", speed, at.height, at.terrain->name,
         wf_scenario_gust(s, speed), an->peak ? an->peak->method->name : "none");
-    if (s->snow > 0) wf_show(to, "\n        with snow on the crown, %.3g kg/m2 of its area from above", s->snow);
+    if (s->snow > 0)
+        wf_show(to, "\n        with snow on the crown, %.3g kg/m2 of its area from above", s->snow);
     if (s->ice > 0) wf_show(to, "\n        with %.3g mm of ice on what is drawn", 1e3 * s->ice);
     if (s->winter < 1)
-        wf_show(to, "\n        of all winds named here %.3g %% blows while it is on the tree", 100 * s->winter);
+        wf_show(to, "\n        of all winds named here %.3g %% blows while it is on the tree",
+                100 * s->winter);
     double there = wf_scenario_speed(s, speed);
     if (there != speed)
         wf_show(to, "\n        at the tree, terrain %s, %.1f m/s at %.4g m", s->category->name, there,
@@ -112,6 +121,12 @@ static void print_reasons(FILE *to, const struct wf_analysis *an)
     if (x->because & WF_ASSESS_NO_ELASTIC)
         wf_show(to, "    the species has no compressive strength: breakage is by the modulus of rupture, "
                     "which is up to twice as high\n");
+    if (x->because & WF_ASSESS_WINTER)
+        wf_show(
+            to,
+            "    with what is on it in %.0f %% of this wind: without, in the whole of it, it is not assessed "
+            "here\n",
+            100 * an->scenario.winter);
     if (x->because & WF_ASSESS_NO_INTERVAL) wf_show(to, "    how sure it is was not computed\n");
 }
 

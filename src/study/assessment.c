@@ -22,8 +22,9 @@ const struct wf_assess_row wf_assess_rows[WF_ASSESS_WORDS] = {
     [WF_ASSESS_SUFFICIENT] = { "sufficient", "enough by all that was assessed" },
 };
 
-const char *const wf_assess_reasons[] = { "no-overturning", "no-elastic-limit", "no-interval",    "low-end",
-                                          "saturated-soil", "no-strength",      "no-equilibrium", NULL };
+const char *const wf_assess_reasons[] = { "no-overturning", "no-elastic-limit", "no-interval",
+                                          "low-end",        "saturated-soil",   "no-strength",
+                                          "no-equilibrium", "winter-wind",      NULL };
 
 /* ---- Safeties at a wind ---- */
 
@@ -235,6 +236,7 @@ static void find_reasons(const struct wf_analysis *an, struct wf_assessment *out
     if (isnan(out->low)) out->because |= WF_ASSESS_NO_INTERVAL;
     if (out->low < out->required) out->because |= WF_ASSESS_LOW_END;
     if (out->wet_low <= 1) out->because |= WF_ASSESS_WET;
+    if (an->scenario.winter < 1) out->because |= WF_ASSESS_WINTER;
 }
 
 static enum wf_assess_word word_of(const struct wf_assessment *x, bool lost)

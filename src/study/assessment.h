@@ -31,10 +31,12 @@ enum {
     WF_ASSESS_NO_OVERTURNING = 1, /* overturning was not assessed */
     WF_ASSESS_NO_ELASTIC = 2,     /* the species has no compressive strength */
     WF_ASSESS_NO_INTERVAL = 4,
-    WF_ASSESS_LOW_END = 8,        /* the low end of the interval is below the required safety */
-    WF_ASSESS_WET = 16,           /* it overturns in saturated soil */
-    WF_ASSESS_NO_STRENGTH = 32,   /* no strength is known: breakage was not assessed */
-    WF_ASSESS_NO_EQUILIBRIUM = 64 /* the tree has no state in this wind */
+    WF_ASSESS_LOW_END = 8,         /* the low end of the interval is below the required safety */
+    WF_ASSESS_WET = 16,            /* it overturns in saturated soil */
+    WF_ASSESS_NO_STRENGTH = 32,    /* no strength is known: breakage was not assessed */
+    WF_ASSESS_NO_EQUILIBRIUM = 64, /* the tree has no state in this wind */
+    WF_ASSESS_WINTER = 128         /* a share of this wind blows with snow or ice on it; it was not assessed
+                                      without them in the whole */
 };
 
 /* The least safety by the criteria of one kind. */

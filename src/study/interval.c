@@ -187,7 +187,9 @@ static bool settled(const struct bracket *b, double highest, double *critical)
 static enum wf_status find_critical(const struct work *w, struct solved *s, struct sample *out,
                                     struct wf_err *e)
 {
-    enum { MOST = 40 };
+    /* of a tree that its weight nearly overturns utilisation hardly changes with the wind, and slopes lead to
+       small steps: still air is then looked at, and brackets are halved */
+    enum { MOST = 40, SLOW = 8, HALVES = 16 };
     const double still = 0.5; /* [m/s] */
     const double highest = s->an.search.speed_max;
     const struct wf_node *node;
@@ -197,9 +199,9 @@ static enum wf_status find_critical(const struct work *w, struct solved *s, stru
         bool known = settled(&b, highest, &out->critical);
         if (b.high) out->by = nearest(&b.high->at, &utilisation);
         if (known) return WF_OK;
-        bool low = b.high && !b.low && b.high->at.speed < still;
-        enum wf_status status =
-            wf_nodes_solve(s->nodes, w->o, low ? 0.0 : next_speed(&b, out->critical, highest), &node, e);
+        bool low = b.high && !b.low && (b.high->at.speed < still || k == SLOW);
+        double next = next_speed(&b, k < HALVES ? out->critical : (double)NAN, highest);
+        enum wf_status status = wf_nodes_solve(s->nodes, w->o, low ? 0.0 : next, &node, e);
         if (status) return status;
     }
     return wf_fail(e, WF_EINTERNAL, "the critical wind of a sample was not found");
