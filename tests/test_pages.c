@@ -320,7 +320,7 @@ static void pages_are_filled(void **state)
         { "for l in en zh; do $W assess models/cards/oak.yaml -q -o $T/out --lang $l --snow 20cm "
           "--winter-wind 0.4 --ice 5mm "
           "--rain 20mm/h --lean 8deg --lean-towards 120deg --cavity 1.3m:80mm --client Town --assessor "
-          "Person --samples 8 "
+          "Person --samples 32 "
           ">$T/said 2>&1; pdftotext -f 1 -l 1 $T/out/report.pdf - | grep -c -e '^Signature' -e '^签字'; rm "
           "-r $T/out; done",
           CODE_OK,
