@@ -12,17 +12,19 @@ CFLAGS  ?= -O2 -g
 
 # libmatio is optional: without it MATLAB files are refused, naming the package (make MATIO= tries that)
 MATIO  := $(shell pkg-config --exists matio 2>/dev/null && echo matio)
+# it is loaded when such a file is read, by this name
+MATIO_SO := $(if $(MATIO),$(shell readelf -d $$(pkg-config --variable=libdir matio)/libmatio.so | sed -n 's/.*SONAME.*\[\(.*\)\].*/\1/p'))
 # libxlsxwriter is optional: without it --xlsx is refused, naming the package
 XLSX   := $(shell pkg-config --exists xlsxwriter 2>/dev/null && echo xlsxwriter)
 # libjpeg and libpng are optional: without them --photo and --logo are refused, naming the packages
 PICTURES := $(shell pkg-config --exists libjpeg libpng 2>/dev/null && echo libjpeg libpng)
-PKG    := $(PICTURES) $(MATIO) $(if $(MATIO),zlib) $(XLSX) gsl yaml-0.1 jansson libxslt libxml-2.0
+PKG    := $(PICTURES) $(if $(MATIO),zlib) $(XLSX) gsl yaml-0.1 jansson libxslt libxml-2.0
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla -Werror
 SANF   := $(if $(SAN)$(FUZZ),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer) \
           $(if $(FUZZ),-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow)
-INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG)))
+INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) $(MATIO)))
 ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) \
-          $(if $(MATIO),-DWF_MATIO) $(if $(XLSX),-DWF_XLSX) $(if $(PICTURES),-DWF_PICTURES) -DWF_VERSION='"$(VERSION)"'
+          $(if $(MATIO_SO),-DWF_MATIO='"$(MATIO_SO)"') $(if $(XLSX),-DWF_XLSX) $(if $(PICTURES),-DWF_PICTURES) -DWF_VERSION='"$(VERSION)"'
 # least squares: Ceres has no pkg-config file; its one C++ file links with its C++ library
 CERES   = -lceres -lglog -lstdc++
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
@@ -62,6 +64,7 @@ $(B)/windfirm: $(call obj,$(CMDSRC)) $(B)/libwindfirm.a
 	$(CC) $(SANF) $(LDFLAGS) $^ $(LDLIBS) -o $@
 $(B)/tests/%: $(B)/tests/%.o $(B)/libwindfirm.a
 	$(CC) $(SANF) $(LDFLAGS) $^ -lcmocka $(LDLIBS) -o $@
+$(B)/tests/test_import_mat: LDLIBS += $(if $(MATIO),$(shell pkg-config --libs matio)) # it writes such files
 # A harness with a program around it that gives it files; with FUZZ=1 libFuzzer is that program. --wrap: see fuzz.c.
 $(B)/tests/fuzz/%: $(B)/tests/fuzz/read_%.o $(call obj,tests/fuzz/fuzz.c tests/fuzz/fuzz_import.c) \
                    $(if $(FUZZ),,$(B)/tests/fuzz/replay.o) $(B)/libwindfirm.a

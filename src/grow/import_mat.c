@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #ifdef WF_MATIO
+#include <dlfcn.h>
 #include <matio.h>
 #include <zlib.h>
 #endif
@@ -22,6 +23,45 @@ static enum wf_status read_mat(const struct wf_import_head *h, bool apart, const
                    h->path);
 }
 #else
+
+/* libmatio is loaded when a MATLAB file is read: with the libraries that it needs in turn, half of all that a
+ * program would load, it takes 6 ms. WF_MATIO: its name. */
+static struct {
+    __typeof__(Mat_Open) *open;
+    __typeof__(Mat_Close) *close;
+    __typeof__(Mat_VarReadNext) *next;
+    __typeof__(Mat_VarFree) *free;
+    __typeof__(Mat_VarGetCell) *cell;
+    __typeof__(Mat_VarGetNumberOfFields) *fields;
+    __typeof__(Mat_VarGetStructFieldnames) *names;
+    __typeof__(Mat_VarGetStructFieldByIndex) *field;
+} mat;
+
+static enum wf_status load_matio(const char *path, struct wf_err *e)
+{
+    const struct {
+        const char *name;
+        void *function; /* a pointer to it */
+    } all[] = { { "Mat_Open", &mat.open },
+                { "Mat_Close", &mat.close },
+                { "Mat_VarReadNext", &mat.next },
+                { "Mat_VarFree", &mat.free },
+                { "Mat_VarGetCell", &mat.cell },
+                { "Mat_VarGetNumberOfFields", &mat.fields },
+                { "Mat_VarGetStructFieldnames", &mat.names },
+                { "Mat_VarGetStructFieldByIndex", &mat.field } };
+    void *library = dlopen(WF_MATIO, RTLD_NOW | RTLD_LOCAL);
+    bool whole = library;
+    for (size_t k = 0; k < WF_COUNT(all) && whole; k++) {
+        void *found = dlsym(library, all[k].name);
+        memcpy(all[k].function, &found, sizeof found);
+        whole = found;
+    }
+    if (whole) return WF_OK;
+    return wf_fail(e, WF_EMISSING,
+                   "%s is a MATLAB file; %s, which reads it, cannot be loaded (Debian: libmatio11)", path,
+                   WF_MATIO);
+}
 
 /* ---- Check of a version 5 file, before libmatio sees it ----
  *
@@ -340,12 +380,12 @@ static const char *table_wrong(const matvar_t *v)
 /* Field of a structure, the `at`-th of several, by name; NULL: none. libmatio may give a field no name. */
 static matvar_t *field_named(matvar_t *v, const char *name, size_t at)
 {
-    char *const *names = Mat_VarGetStructFieldnames(v);
-    size_t fields = Mat_VarGetNumberOfFields(v);
+    char *const *names = mat.names(v);
+    size_t fields = mat.fields(v);
     if (!names || !v->data || at >= element_count(v)) return NULL;
     if (fields && v->nbytes / sizeof(matvar_t *) / fields <= at) return NULL;
     for (size_t k = 0; k < fields; k++)
-        if (names[k] && !strcmp(names[k], name)) return Mat_VarGetStructFieldByIndex(v, k, at);
+        if (names[k] && !strcmp(names[k], name)) return mat.field(v, k, at);
     return NULL;
 }
 
@@ -412,7 +452,7 @@ static bool sources_of_cells(struct mat_sources *s, matvar_t *v, int depth, size
 {
     size_t cells = element_count(v), at = cells > 1 ? s->model : 0, inner = 0;
     if (depth >= DEEPEST || !cells || !v->data || v->nbytes / sizeof(matvar_t *) < cells) return false;
-    matvar_t *cell = Mat_VarGetCell(v, (int)(at < cells ? at : 0));
+    matvar_t *cell = mat.cell(v, (int)(at < cells ? at : 0));
     if (cells > 1) s->model = 0;
     if (!cell || !sources_of_variable(s, cell, depth + 1, &inner)) return false;
     *models = cells > 1 ? cells : inner;
@@ -555,12 +595,13 @@ static enum wf_status read_mat(const struct wf_import_head *h, bool apart, const
                        h->path);
     enum wf_status status = kind == MAT_KIND_5 ? check_mat5(h->path, &expected, e) : WF_OK;
     if (status) return status;
-    mat_t *mat = Mat_Open(h->path, MAT_ACC_RDONLY);
-    if (!mat) return wf_fail(e, WF_EINPUT, "%s: not a MATLAB file that libmatio can read", h->path);
-    while (n < VARIABLES && (var[n] = Mat_VarReadNext(mat))) n++;
+    if ((status = load_matio(h->path, e))) return status;
+    mat_t *file = mat.open(h->path, MAT_ACC_RDONLY);
+    if (!file) return wf_fail(e, WF_EINPUT, "%s: not a MATLAB file that libmatio can read", h->path);
+    while (n < VARIABLES && (var[n] = mat.next(file))) n++;
     status = read_variables(h->path, var, n, expected, model, o, a, q, d, e);
-    for (size_t k = 0; k < n; k++) Mat_VarFree(var[k]);
-    (void)Mat_Close(mat);
+    for (size_t k = 0; k < n; k++) mat.free(var[k]);
+    (void)mat.close(file);
     return status;
 }
 
