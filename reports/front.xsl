@@ -581,7 +581,11 @@
     <xsl:call-template name="front-safeties"/>
     <xsl:call-template name="front-facts"/>
   </div>
-  <div class="cols">
+  <!-- much is said above: the figure is smaller, so that the page holds the signature -->
+  <xsl:variable name="much" select="count(assessment/because/item) + 2 * boolean(assessment/directions/item) +
+    count(scenario/snow[value &gt; 0] | scenario/ice[value &gt; 0] | wetted | scenario/winter_wind[value &lt; 1]) +
+    boolean(assessment/return_period_by != '')"/>
+  <div class="cols{substring(' tight', 1, 6 * ($much &gt; 5))}">
     <div class="col">
       <xsl:call-template name="front-missing"/>
       <xsl:call-template name="picture"><xsl:with-param name="name">photo</xsl:with-param></xsl:call-template>

@@ -223,7 +223,7 @@
         <xsl:variable name="tree" select="../height/value"/>
         <xsl:variable name="apart" select="$tree &gt; 1.01 * height/value or $tree &lt; 0.99 * height/value"/>
         <xsl:call-template name="metres">
-          <xsl:with-param name="x" select="$tree[$apart] | height/value[not($apart)]"/>
+          <xsl:with-param name="x" select="$tree | height/value[not($tree)]"/>
         </xsl:call-template>
         <xsl:if test="$apart">
           <xsl:call-template name="say"><xsl:with-param name="id">in.height.stem</xsl:with-param>

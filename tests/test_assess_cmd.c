@@ -563,6 +563,19 @@ static void beside_the_verdict(void **state)
           "[0-9.]* mm\\|With snow' $T/q/report.html",
           CODE_RUN,
           { "mm of rain on the leaves\n", "return period of that wind: about", "does not matter", "\n0\n" } },
+        /* samples that fall by weight alone: the wind has little part in what they bear */
+        { "$W assess models/cards/oak.yaml --snow 20cm --winter-wind 0.4 --lean 20deg --lean-towards 90 "
+          "--soil peat",
+          CODE_OK,
+          { "90 % of 256 samples above 0 m/s" } },
+        /* a leaning tree: its height and not the length of its stem, and directions of one turn */
+        { "$W assess models/cards/oak.yaml --samples 0 --lean 8deg --lean-towards 120deg --no-pdf -o $T/r "
+          ">/dev/null 2>&1; grep "
+          "-c '>20 m<' $T/r/report.html; grep -c '20.2 m' $T/r/report.html; grep -o '−30° from +x towards "
+          "+y' "
+          "$T/r/report.html",
+          CODE_OK,
+          { "1\n0\n−30° from +x towards +y\n" } },
         { "$W assess --species oak --height 20m --girth 250 cm --crown-width 14 --crown-base 4 --wind 20; $W "
           "assess oak --wind "
           "20 --lang zh",

@@ -54,12 +54,16 @@ static void what_governs_is_said(void **state)
           CODE_OK,
           { "2\n2\n16\n16\n", " splitting 0.74 1 ", " governs" } },
         /* a tree whose branches stand above its stem and break before it: each figure says whose it is */
-        { "for l in en zh; do $W analyze oak --model broadleaf --wind 10,20 --samples 0 --no-pdf --lang $l -o $T/a -q; "
-          "sed 's/<[^>]*>/ /g; s/&nbsp;/ /g' $T/a/report.html | tr -s '\\n ' ' ' | grep -oE 'the top of its stem moves|"
-          "Height 11.5 m; of the model.s stem 10 m|Bending \\(breakage\\) [0-9.]+ 1.0 .{0,8}60 |树高 11.5 m；模型主干长 10 m' "
+        { "for l in en zh; do $W analyze oak --model broadleaf --wind 10,20 --samples 0 --no-pdf --lang $l "
+          "-o $T/a -q; "
+          "sed 's/<[^>]*>/ /g; s/&nbsp;/ /g' $T/a/report.html | tr -s '\\n ' ' ' | grep -oE 'the top of its "
+          "stem moves|"
+          "Height 11.5 m; of the model.s stem 10 m|Bending \\(breakage\\) [0-9.]+ 1.0 .{0,8}60 |树高 11.5 "
+          "m；模型主干长 10 m' "
           "| sort -u; done",
           CODE_OK,
-          { "Bending (breakage) 5.59 1.0 ", "Height 11.5 m; of", "the top of its stem moves\n", "树高 11.5 m；模型主干长 10 m\n" } },
+          { "Bending (breakage) 5.59 1.0 ", "Height 11.5 m; of", "the top of its stem moves\n",
+            "树高 11.5 m；模型主干长 10 m\n" } },
         { "for l in en zh; do $W analyze moso_bamboo --model moso_culm --wind 10,25 --corridor 8m "
           "--tip-angle-limit 45 "
           "--samples 0 --no-pdf --lang $l -o $T/a -q; sed 's/<tr/\\n<tr/g; s/<[^>]*>/ /g' $T/a/report.html | "
@@ -245,22 +249,25 @@ static void every_warning_has_words(void **state)
 }
 
 /* Strings that no stylesheet asks for are not kept, and every string is there in both languages. */
-/* Printed Chinese pages have a bold face, which has the characters of the program's words; a few new ones may wait for `make
- * han-bold`. */
+/* Printed Chinese pages have a bold face, which has the characters of the program's words; a few new ones may
+ * wait for `make han-bold`. */
 static void chinese_has_a_bold(void **state)
 {
     (void)state;
     if (shell("command -v weasyprint && command -v pdffonts && command -v gnuplot")) skip();
     static const struct row rows[] = {
-        { "$W wind extremes --annual docs/examples/annual.csv --lang zh -q -o $T/out 2>$T/said; pdffonts $T/out/extremes.pdf | grep -c "
+        { "$W wind extremes --annual docs/examples/annual.csv --lang zh -q -o $T/out 2>$T/said; pdffonts "
+          "$T/out/extremes.pdf | grep -c "
           "'Han-bold.*yes yes yes'; pdftotext $T/out/extremes.pdf - | head -n 1",
           CODE_OK,
           { "1\n风速的超越概率\n" } },
-        { "$(sed -n '1s/^#!//p' \"$(command -v weasyprint)\") - reports/strings.xml reports/messages.xml reports/plots/words.tsv <<'END'\n"
+        { "$(sed -n '1s/^#!//p' \"$(command -v weasyprint)\") - reports/strings.xml reports/messages.xml "
+          "reports/plots/words.tsv <<'END'\n"
           "import sys\n"
           "from fontTools.ttLib import TTFont\n"
           "has = TTFont('reports/han_bold.ttf').getBestCmap()\n"
-          "said = {c for name in sys.argv[1:] for c in open(name, encoding='utf-8').read() if ord(c) > 0x2e7f}\n"
+          "said = {c for name in sys.argv[1:] for c in open(name, encoding='utf-8').read() if ord(c) > "
+          "0x2e7f}\n"
           "lacks = [c for c in sorted(said) if ord(c) not in has]\n"
           "print('enough' if len(lacks) <= len(said) // 50 else 'make han-bold: ' + ''.join(lacks))\n"
           "END\n",
@@ -293,7 +300,8 @@ static void strings_are_whole(void **state)
     }
 }
 
-/* No page but the last is half empty, and no last page has less than a fifth: labels of figures are words too. */
+/* No page but the last is half empty, and no last page has less than a fifth: labels of figures are words
+ * too. */
 static void pages_are_filled(void **state)
 {
     (void)state;
@@ -303,10 +311,20 @@ static void pages_are_filled(void **state)
           "tests/data/job/photo.jpg' 'analyze scots_pine --model scots_pine --soil mineral --wind 10,20 "
           "--samples 0' 'wind extremes --annual docs/examples/annual.csv' 'papers tang2012 --no-vtk' 'rain "
           "--staged --duration 2'; for c; do for l in en zh; do $W $c --lang $l -q -o $T/out >$T/said 2>&1; "
-          "python3 tests/page_fill.py $T/out/*.pdf; rm -r $T/out; done; done | awk '$1 < 55 || $2 < 18 { print "
+          "python3 tests/page_fill.py $T/out/*.pdf; rm -r $T/out; done; done | awk '$1 < 55 || $2 < 18 { "
+          "print "
           "\"bad:\", $0 } END { print NR }'",
           CODE_OK,
           { "10\n" } },
+        /* the signature stays on a first page on which much is said */
+        { "for l in en zh; do $W assess models/cards/oak.yaml -q -o $T/out --lang $l --snow 20cm "
+          "--winter-wind 0.4 --ice 5mm "
+          "--rain 20mm/h --lean 8deg --lean-towards 120deg --cavity 1.3m:80mm --client Town --assessor "
+          "Person --samples 32 "
+          ">$T/said 2>&1; pdftotext -f 1 -l 1 $T/out/report.pdf - | grep -c -e '^Signature' -e '^签字'; rm "
+          "-r $T/out; done",
+          CODE_OK,
+          { "1\n1\n" } },
     };
     CHECK(rows);
     assert_null(strstr(output, "bad:"));
@@ -320,7 +338,8 @@ int main(void)
         cmocka_unit_test(every_page_in_both_languages),
         cmocka_unit_test(a_command_speaks_the_language_it_is_asked_for),
         cmocka_unit_test(every_warning_has_words),
-        cmocka_unit_test(chinese_has_a_bold), cmocka_unit_test(strings_are_whole),
+        cmocka_unit_test(chinese_has_a_bold),
+        cmocka_unit_test(strings_are_whole),
         cmocka_unit_test(what_governs_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

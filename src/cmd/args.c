@@ -255,6 +255,8 @@ static void apply_keys(struct wf_yaml *y, void *keys)
     struct wf_reading *r = b->reading;
     const char *subject = b->taker->subject;
     r->yaml = y;
+    size_t lang = find_key(b, "lang"); /* mistakes of the file are in it too */
+    if (lang < b->keys && b->value[lang] && !strcmp(b->value[lang], "zh")) wf_show_language("zh");
     for (size_t k = 0; k < r->options; k++) take_key(b, k);
     size_t at = subject ? find_key(b, subject) : b->keys;
     if (at < b->keys && b->value[at]) {

@@ -114,7 +114,7 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
     enum wf_status s = set_up(&an, o, speed, &scratch, e);
     for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !s; k++) {
         struct wf_at_speed at;
-        double azimuth = m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS;
+        double azimuth = remainder(m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS, 2 * M_PI);
         if ((s = turn(&an, o, speed, azimuth, north, &at, e))) break;
         out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
                                                .breakage = part_at(&an.tree, &at, false),

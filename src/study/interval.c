@@ -128,7 +128,8 @@ static struct bracket bracket_of(const struct wf_nodes *nodes)
     return b;
 }
 
-/* Where the utilisation, a power of the speed by its slope at a node, reaches 1; NAN: it has none. */
+/* Where the utilisation, a power of the speed by its slope at a node, reaches 1; NAN: it has none, or the
+ * wind has so small a part in it, beside weight, that the power says nothing of other winds. */
 static double by_slope(const struct wf_node *node)
 {
     double utilisation;
@@ -136,8 +137,8 @@ static double by_slope(const struct wf_node *node)
     int c = (int)nearest(&node->at, &utilisation);
     double slope = node->slope[WF_TOTAL_UTILISATION + c * WF_SCOPES + WF_SCOPE_STEM];
     double power = node->sloped ? node->at.speed * slope / utilisation : (double)NAN;
-    if (!(power > 0.0)) return NAN;
-    return node->at.speed * pow(utilisation, -1.0 / fmin(fmax(power, 0.4), 4.0));
+    if (!(power > 0.4)) return NAN;
+    return node->at.speed * pow(utilisation, -1.0 / fmin(power, 4.0));
 }
 
 static double size_of_step(const struct wf_node *node)
