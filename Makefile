@@ -211,6 +211,6 @@ clean: ## remove what was built and computed
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house gallery han-bold golden install headers clean help
+.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house gallery han-bold golden install headers clean help FORCE
 .SECONDARY:
 -include $(patsubst %.o,%.d,$(LANES) $(call obj,$(SRC) $(TESTS) $(BENCH) $(wildcard tests/fuzz/*.c)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)
