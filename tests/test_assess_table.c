@@ -408,6 +408,15 @@ static void other_options(void **state)
             "is given "
             "for all rows",
             "code 2\n" } },
+        /* a root too soft for the tree's weight: it would hang, with small stresses */
+        { "printf '" TREE "root_stiffness\n" OAK "500\n" OAK
+          "5 MN m/rad\n' >$T/t.csv; $W assess $T/t.csv -q -o $T/o.csv "
+          "--wind 20; cut -d, -f7-9 $T/o.csv; $W assess --species oak --height 20 --girth 2.5 --crown-width "
+          "14 --crown-base 4 "
+          "--wind 20 --samples 0 --root-stiffness 500 --lang zh 2>&1; echo $?",
+          CODE_OK,
+          { "mistake,\"20 m high, dbh 79.6 cm: roots of 0.5 kN m/rad do not hold the tree upright",
+            "\nassessed,,", "0.5 kN m/rad 的根部刚度不能使树直立", "\n2\n" } },
         { "printf '" TREE "cable,schneehöhe\n" OAK "id:1:id:2:100kN/m,\n" OAK
           ",viel\n' >$T/t.csv; $W assess $T/t.csv -q "
           "-o $T/o.csv --wind 20; cut -d, -f8- $T/o.csv",
