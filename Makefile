@@ -89,14 +89,16 @@ $(call obj,$(KERNELS)): CFLAGS += $(FAST)
 # than on x86-64 the compiler divides the vectors among what the processor has.
 WIDE    = $(if $(filter 4,$(WIDTH)),-mavx2,-mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
 X86    := $(findstring x86_64,$(shell $(CC) -dumpmachine))
-$(LANES): CFLAGS += $(FAST) -fno-math-errno -DWF_WIDTH=$(WIDTH) $(if $(X86),$(WIDE),-Wno-psabi)
+$(LANES): CFLAGS += $(FAST)
+# not in CFLAGS, which may be given on the command line
+$(LANES): WIDEN = -fno-math-errno -DWF_WIDTH=$(WIDTH) $(if $(X86),$(WIDE),-Wno-psabi)
 $(filter %_4.o,$(LANES)): WIDTH = 4
 $(filter %_8.o,$(LANES)): WIDTH = 8
 $(filter %/beam_lanes_4.o %/beam_lanes_8.o,$(LANES)): src/solve/beam_lanes.c
 $(filter %/beam_groups_4.o %/beam_groups_8.o,$(LANES)): src/solve/beam_groups.c
 $(LANES):
 	@mkdir -p $(@D)
-	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
+	$(CC) $(ALL) $(CFLAGS) $(WIDEN) -c $< -o $@
 # a rule that names a file which is not there would be passed over in silence
 NAMED   := $(KERNELS) src/main.c src/fit/ceres.cpp
 $(if $(filter-out $(wildcard $(NAMED)),$(NAMED)),$(error not there: $(filter-out $(wildcard $(NAMED)),$(NAMED))))
@@ -209,6 +211,6 @@ clean: ## remove what was built and computed
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house gallery han-bold golden install headers clean help
+.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house gallery han-bold golden install headers clean help FORCE
 .SECONDARY:
 -include $(patsubst %.o,%.d,$(LANES) $(call obj,$(SRC) $(TESTS) $(BENCH) $(wildcard tests/fuzz/*.c)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)

@@ -13,12 +13,14 @@
   </xsl:choose>
 </xsl:template>
 
-<!-- A wind with as many figures as its interval allows: whole metres a second where that is wider than two of them. The context is
-     a tree. -->
+<!-- A wind with as many figures as its interval allows: whole metres a second where that is wider than two of them, unless (near) it
+     is within one of the wind that is given, on whose side it must be seen to be. The context is a tree. -->
 <xsl:template name="front-figures">
-  <xsl:param name="x"/>
+  <xsl:param name="x"/><xsl:param name="near"/>
   <xsl:choose>
-    <xsl:when test="$x &gt;= 10 and interval/high_m_s - interval/low_m_s &gt; 2"><xsl:value-of select="format-number($x, '0')"/></xsl:when>
+    <xsl:when test="not($near) and $x &gt;= 10 and interval/high_m_s - interval/low_m_s &gt; 2">
+      <xsl:value-of select="format-number($x, '0')"/>
+    </xsl:when>
     <xsl:otherwise><xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
@@ -26,12 +28,15 @@
 <!-- "25.2 m/s (3-s gust 38.3 m/s)" -->
 <xsl:template name="front-speed">
   <xsl:param name="x"/><xsl:param name="id">fp.wind</xsl:param>
+  <xsl:variable name="u"><xsl:call-template name="front-wind"/></xsl:variable>
+  <xsl:variable name="near" select="$x - $u &lt; 1 and $u - $x &lt; 1"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id" select="$id"/>
-    <xsl:with-param name="a">
-      <xsl:call-template name="front-figures"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="a"><xsl:call-template name="front-figures">
+      <xsl:with-param name="x" select="$x"/><xsl:with-param name="near" select="$near"/></xsl:call-template></xsl:with-param>
     <xsl:with-param name="b"><xsl:call-template name="front-figures">
       <xsl:with-param name="x" select="$x * $trees[1]/scenario/gust_over_mean/value"/>
+      <xsl:with-param name="near" select="$near"/>
     </xsl:call-template></xsl:with-param>
   </xsl:call-template>
 </xsl:template>

@@ -330,6 +330,14 @@ static void every_direction_counts(void **state)
           CODE_OK,
           { "cavity at 9 m: taken from 0 to 18 m above the ground, the upper end is assumed",
             "\nmeasured at 9 m is taken from 0 to 18 m\n" } },
+        /* insufficient in 25 m/s and lost at 25.2: page 1 does not round the one to the other */
+        { "$W assess --species oak --height 18m --dbh 0.6m --crown-width 10m --crown-base 4m --season "
+          "leaf_off --soil "
+          "mineral --wind 25 --samples 64 -o $T/n --no-pdf -q; sed 's/<h2.*//; s/<[^>]*>/ /g' "
+          "$T/n/report.html | tr -s ' ' "
+          "| grep -o 'lost at [0-9.]*'",
+          CODE_OK,
+          { "lost at 25.2\n" } },
         /* no strength, but an anchorage: all pages are drawn */
         { "$W assess --species willow_feng1999 --height 16m --dbh 0.457m --crown-width 9.6m --crown-base "
           "3.2m "

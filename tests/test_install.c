@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The installed library: the example compiles as C and as C++ with the flags pkg-config gives and nothing
- * else, and says what the command says. */
+ * else, and says what the command says. And the build with flags of one's own. */
 #include "close.h"
 #include "shell.h"
 
@@ -45,8 +45,20 @@ static void says_its_version(void **state)
 static void finds_what_is_shipped(void **state)
 {
     (void)state;
-    needs(shell(INSTALL "strings -a $T/opt/bin/windfirm | grep -qx /opt/share/windfirm &&\n"
-                        "test -e $T/opt/share/windfirm/$S"));
+    /* also after another installation from the same build */
+    needs(shell("mkdir -p $(dirname $W)/install && echo /another >$(dirname $W)/install/prefix\n" INSTALL
+                "strings -a $T/opt/bin/windfirm | grep -qx /opt/share/windfirm &&\n"
+                "test -e $T/opt/share/windfirm/$S && grep -qx /opt $(dirname $W)/install/prefix"));
+}
+
+/* Flags of whoever builds stand beside those without which a file is another one. */
+static void builds_with_own_flags(void **state)
+{
+    (void)state;
+    needs(shell("n=$(env -u MAKEFLAGS -u MAKELEVEL make -n BUILD=$T/own SAN= FUZZ= CFLAGS='-O0 -g' "
+                "$T/own/windfirm |\n"
+                "    grep -c -e '-O0 -g .*-DWF_WIDTH=[48] .*beam_[a-z]*_[48].o$')\n"
+                "test \"$n\" = 4 || { echo \"$n of 4 kernels have their width\"; exit 1; }"));
 }
 
 int main(void)
@@ -55,6 +67,7 @@ int main(void)
         cmocka_unit_test(example_says_what_the_command_says),
         cmocka_unit_test(says_its_version),
         cmocka_unit_test(finds_what_is_shipped),
+        cmocka_unit_test(builds_with_own_flags),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
