@@ -131,19 +131,26 @@
   </xsl:if>
 </xsl:template>
 
-<!-- Rows of the stem: its elastic limit, its breakage, and another criterion where that is nearer than both. -->
+<!-- Rows of the stem: its elastic limit, its breakage, and another criterion that loses the tree or is nearer than breakage,
+     in any direction. -->
 <xsl:template name="front-stem">
   <xsl:variable name="u"><xsl:call-template name="front-wind"/></xsl:variable>
   <xsl:variable name="asked" select="assessment/required/value | assessment/required[not(value)]"/>
   <xsl:variable name="stem" select="criteria/item[scope = 'stem' and winds/item[speed/value = $u]/safety/value != '']"/>
   <xsl:variable name="breaks" select="$stem[criterion = 'breakage']/winds/item[speed/value = $u]/safety/value"/>
   <xsl:variable name="wood"> breakage elastic-limit torsion splitting ovalisation </xsl:variable>
-  <xsl:for-each select="$stem[criterion = 'elastic-limit' or criterion = 'breakage' or
+  <xsl:variable name="around" select="assessment/criteria/item | assessment[not(criteria)]/breakage"/>
+  <xsl:variable name="near">
+    <xsl:for-each select="$around[safety/value &lt;= 1 or safety/value &lt; 0.995 * $around[criterion = 'breakage']/safety/value]">
+      <xsl:value-of select="concat(' ', criterion, ' ')"/></xsl:for-each>
+  </xsl:variable>
+  <xsl:for-each select="$stem[criterion = 'elastic-limit' or criterion = 'breakage' or contains($near, concat(' ', criterion, ' ')) or
     not(contains($wood, concat(' ', criterion, ' '))) or (winds/item[speed/value = $u]/safety/value &lt; 0.995 * $breaks)]">
-    <xsl:sort select="winds/item[speed/value = $u]/safety/value" data-type="number"/>
+    <xsl:sort select="($around[criterion = current()/criterion] | self::*[not($around[criterion = current()/criterion])]
+      /winds/item[speed/value = $u])/safety/value" data-type="number"/>
     <xsl:variable name="at" select="winds/item[speed/value = $u]"/>
     <!-- in wind from another direction it may be less -->
-    <xsl:variable name="least" select="../../assessment/breakage[criterion = current()/criterion]/safety/value[. &lt; $at/safety/value]"/>
+    <xsl:variable name="least" select="$around[criterion = current()/criterion]/safety/value[. &lt; $at/safety/value]"/>
     <xsl:call-template name="front-safety">
       <xsl:with-param name="id" select="concat('fp.', criterion)"/>
       <xsl:with-param name="name"><xsl:call-template name="criterion-name"/></xsl:with-param>
@@ -157,7 +164,7 @@
       <xsl:with-param name="where">
         <xsl:variable name="other" select="$least/../.."/>
         <xsl:choose>
-          <xsl:when test="$other/from/value != $other/../from/value">
+          <xsl:when test="$other/from/value != $other/ancestor::assessment/from/value">
             <xsl:call-template name="say">
               <xsl:with-param name="id">fp.section.from</xsl:with-param>
               <xsl:with-param name="a"><xsl:call-template name="number">

@@ -93,16 +93,34 @@ static void print_wind(FILE *to, const struct wf_analysis *an)
     wf_show(to, "\n");
 }
 
+/* Is a safety less in wind from another direction than the assessment's? */
+static bool is_elsewhere(const struct wf_assessment *x, const struct wf_assess_part *p)
+{
+    return isfinite(p->from) && p->from != x->from;
+}
+
+/* By what the tree is lost: the least safety of all directions, and where that wind comes from. */
+static void print_losers(FILE *to, const struct wf_assessment *x)
+{
+    char text[32];
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_assess_part *p = &x->least[c];
+        if (!(x->lost_by & (1U << c))) continue;
+        const char *safety = safety_text(p->safety, x->required, text);
+        if (is_elsewhere(x, p))
+            wf_show(to, "    it is lost by %s: safety %s in wind from %.4g deg\n", wf_criteria[c].name,
+                    safety, compass(p->from));
+        else
+            wf_show(to, "    it is lost by %s: safety %s\n", wf_criteria[c].name, safety);
+    }
+}
+
 /* One reason a line. */
 static void print_reasons(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_assessment *x = an->assessment;
-    const struct wf_at_speed *at = &an->at[an->n - 1];
-    char text[32];
-    for (int c = 0; c < WF_CRITERIA; c++)
-        if (x->lost_by & (1U << c))
-            wf_show(to, "    it is lost by %s: safety %s\n", wf_criteria[c].name,
-                    safety_text(at->worst[c][WF_SCOPE_STEM].safety, x->required, text));
+    char text[32], high[32];
+    print_losers(to, x);
     if (x->because & WF_ASSESS_NO_EQUILIBRIUM)
         wf_show(to, "    the tree has no equilibrium in this wind: it goes down in the computation\n");
     if (x->because & WF_ASSESS_LOW_END)
@@ -110,7 +128,8 @@ static void print_reasons(FILE *to, const struct wf_analysis *an)
                 safety_text(x->low, x->required, text),
                 x->high < x->required ? "as at its high end below" : "below", x->required);
     if (x->because & WF_ASSESS_WET)
-        wf_show(to, "    in saturated soil it may overturn: safety %.2f to %.2f\n", x->wet_low, x->wet_high);
+        wf_show(to, "    in saturated soil it may overturn: safety %s to %s\n",
+                safety_text(x->wet_low, x->required, text), safety_text(x->wet_high, x->required, high));
     if (x->because & WF_ASSESS_NO_OVERTURNING)
         wf_show(to, "    overturning is not assessed: this says nothing of the roots\n");
     if (x->because & WF_ASSESS_NO_STRENGTH)
@@ -154,12 +173,6 @@ static void print_safeties(FILE *to, const struct wf_assessment *x)
         wf_show(to, "%9s to %s\n", safety_text(x->low, q, low), safety_text(x->high, q, high));
     else
         wf_show(to, "%16s\n", "-");
-}
-
-/* Is a safety less in wind from another direction than the assessment's? */
-static bool is_elsewhere(const struct wf_assessment *x, const struct wf_assess_part *p)
-{
-    return isfinite(p->from) && p->from != x->from;
 }
 
 /* Of which wind the critical wind is, and what is less in wind from elsewhere. */

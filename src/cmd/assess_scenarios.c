@@ -126,8 +126,9 @@ struct reducing {
     double towards; /* azimuth of the wind in which the tree is the least safe [rad] */
 };
 
-/* Is a reduction by a share enough, in the wind in which the tree was the least safe or (all) in any? */
-static enum wf_status try_share(const struct reducing *r, double share, bool all, bool *is, double *cut,
+/* Is a reduction by whole percents enough, in the wind in which the tree was the least safe or (all) in any?
+ */
+static enum wf_status try_share(const struct reducing *r, int percent, bool all, bool *is, double *cut,
                                 struct wf_err *e)
 {
     struct wf_assess_case *c = r->room;
@@ -140,7 +141,7 @@ static enum wf_status try_share(const struct reducing *r, double share, bool all
                                   .towards = r->towards };
     struct wf_analyze_options *o = &c->options.run;
     o->samples = 0, o->thin = o->cavity_growth = NAN, o->root_loss = o->remove = NULL, o->leaf_off = false;
-    if (!(o->reduce = wf_arena_print(r->arena, "%.4g%%", 100 * share)))
+    if (!(o->reduce = wf_arena_print(r->arena, "%d%%", percent)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for a reduction");
     at = (struct wf_beside){ .name = o->reduce };
     enum wf_status s = run_case(c, r->whole, r->arena, &at, e);
@@ -149,36 +150,35 @@ static enum wf_status try_share(const struct reducing *r, double share, bool all
     return WF_OK;
 }
 
-/* Between a share that is not enough and one that is, to 1 %. Returned: *high and what it takes. */
-static enum wf_status halve(const struct reducing *r, double low, bool all, double *high, double *cut,
+/* Between a share that is not enough and one that is, in whole percents: what is printed is what was tried.
+ * Returned: *high and what it takes. */
+static enum wf_status halve(const struct reducing *r, int low, bool all, int *high, double *cut,
                             struct wf_err *e)
 {
     enum wf_status s = WF_OK;
-    while (*high - low > 0.01 && !s) {
+    while (*high - low > 1 && !s) {
         bool is = false;
-        double share = 0.5 * (low + *high), gone;
-        s = try_share(r, share, all, &is, &gone, e);
+        int percent = (low + *high) / 2;
+        double gone;
+        s = try_share(r, percent, all, &is, &gone, e);
         if (is)
-            *high = share, *cut = gone;
+            *high = percent, *cut = gone;
         else
-            low = share;
+            low = percent;
     }
     return s;
 }
 
 /* The largest share of 60 %, 50 % ... that can be drawn: of a tree whose branches are drawn a twentieth of
  * the crown must be left. Returned: *most, 0 where none can be. */
-static enum wf_status find_most(const struct reducing *r, double *most, bool *is, double *cut,
-                                struct wf_err *e)
+static enum wf_status find_most(const struct reducing *r, int *most, bool *is, double *cut, struct wf_err *e)
 {
-    for (int tenths = 6; tenths > 0; tenths--) {
+    for (*most = 60; *most > 0; *most -= 10) {
         struct wf_err why = { WF_OK, "" };
-        enum wf_status s = try_share(r, 0.1 * tenths, true, is, cut, &why);
-        *most = 0.1 * tenths;
+        enum wf_status s = try_share(r, *most, true, is, cut, &why);
         if (!s) return WF_OK;
         if (s != WF_EINPUT || !r->list->fit) return wf_fail(e, s, "%s", why.text);
     }
-    *most = 0;
     return WF_OK;
 }
 
@@ -187,13 +187,14 @@ static enum wf_status find_most(const struct reducing *r, double *most, bool *is
 static enum wf_status find_reduction(const struct reducing *r, struct wf_assessment *x, struct wf_err *e)
 {
     bool is = false;
-    double most, cut;
+    int most;
+    double cut;
     enum wf_status s = find_most(r, &most, &is, &cut, e);
     if (s) return s;
-    x->reduction_most = most;
-    if (!(most > 0)) return x->reduction_unknown = "no branches are drawn that could be cut back", WF_OK;
+    x->reduction_most = 0.01 * most;
+    if (!most) return x->reduction_unknown = "no branches are drawn that could be cut back", WF_OK;
     if (!is) return x->reduction = INFINITY, WF_OK;
-    double high = most, first = most;
+    int high = most, first;
     x->reduction_cut = cut;
     if ((s = halve(r, 0, false, &high, &x->reduction_cut, e))) return s;
     if (r->turns && high < most && (s = try_share(r, high, true, &is, &x->reduction_cut, e))) return s;
@@ -201,7 +202,7 @@ static enum wf_status find_reduction(const struct reducing *r, struct wf_assessm
         first = high, high = most, x->reduction_cut = cut;
         s = halve(r, first, true, &high, &x->reduction_cut, e);
     }
-    x->reduction = high;
+    x->reduction = 0.01 * high;
     return s;
 }
 

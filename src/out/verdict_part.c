@@ -218,6 +218,15 @@ static json_t *safety_part(struct wf_doc *d, const struct wf_assess_part *p)
     return o;
 }
 
+/* The least by each criterion that is assessed. */
+static json_t *least_part(struct wf_doc *d, const struct wf_assess_part *least)
+{
+    json_t *list = wf_doc_array(d);
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (isfinite(least[c].safety)) wf_doc_add(d, list, safety_part(d, &least[c]));
+    return list;
+}
+
 static json_t *reasons_part(struct wf_doc *d, unsigned because, unsigned lost_by)
 {
     char lost[60];
@@ -295,6 +304,7 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
     wf_doc_quantity(d, o, "speed", x->speed, "m/s", NULL);
     wf_doc_put(d, o, "breakage", safety_part(d, &x->breakage));
     wf_doc_put(d, o, "overturning", safety_part(d, &x->overturning));
+    wf_doc_put(d, o, "criteria", least_part(d, x->least));
     wf_doc_quantity(d, o, "sound", x->sound, "1", "not assessed");
     wf_doc_number(d, o, "saturated_low", x->wet_low);
     wf_doc_number(d, o, "saturated_high", x->wet_high);

@@ -34,21 +34,42 @@ static double part_height(const struct wf_tree *t, const struct wf_worst *w)
     return w->row < 0 ? (double)NAN : t->z0[w->row] + w->place * (t->z1[w->row] - t->z0[w->row]);
 }
 
-/* The least safety of the stem by criteria of its sections that lose the tree, or of which practice wants
- * more than 1; or by those of the whole tree that lose it. */
+/* Does a criterion lose the tree, or does practice want more than 1 of it? */
+static bool is_counted(enum wf_criterion_id c)
+{
+    return wf_criteria[c].loses_tree || wf_criteria[c].required > 0;
+}
+
+static struct wf_assess_part part_of(const struct wf_tree *t, const struct wf_at_speed *at,
+                                     enum wf_criterion_id c)
+{
+    const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
+    return (struct wf_assess_part){ w->safety, c, w->row, part_height(t, w), NAN };
+}
+
+/* The least safety of the stem by criteria of its sections, or by those of the whole tree. */
 static struct wf_assess_part part_at(const struct wf_tree *t, const struct wf_at_speed *at, bool whole)
 {
     struct wf_assess_part out = { .safety = NAN, .row = -1, .height = NAN, .from = NAN };
-    for (int c = 0; c < WF_CRITERIA; c++) {
+    for (enum wf_criterion_id c = 0; c < WF_CRITERIA; c++) {
         const struct wf_criterion *x = &wf_criteria[c];
-        const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
-        bool counts = x->whole == whole && (x->loses_tree || x->required > 0);
-        if (!counts || !wf_criterion_known(x, t, WF_SCOPE_STEM)) continue;
-        double safety = at->status ? 0 : w->safety;
-        if (isnan(safety) || out.safety <= safety) continue;
-        out = (struct wf_assess_part){ safety, (enum wf_criterion_id)c, w->row, part_height(t, w), NAN };
+        if (x->whole != whole || !is_counted(c) || !wf_criterion_known(x, t, WF_SCOPE_STEM)) continue;
+        struct wf_assess_part one = part_of(t, at, c);
+        if (at->status) one.safety = 0;
+        if (!isnan(one.safety) && !(out.safety <= one.safety)) out = one;
     }
     return out;
+}
+
+/* The same by each criterion. Without equilibrium none is told from the others. */
+static void parts_at(const struct wf_tree *t, const struct wf_at_speed *at, double from,
+                     struct wf_assess_part *out)
+{
+    for (enum wf_criterion_id c = 0; c < WF_CRITERIA; c++) {
+        out[c] = part_of(t, at, c);
+        out[c].from = from;
+        if (at->status || !is_counted(c)) out[c].safety = NAN;
+    }
 }
 
 /* The tree of a scenario in one wind. Returned: *an, with tree and peak, its columns in `a`. */
@@ -60,12 +81,12 @@ static enum wf_status set_up(struct wf_analysis *an, const struct wf_solve_optio
     return s ? s : wf_sway_set_up(an, o, &speed, 1, a, NULL, e);
 }
 
-/* The criteria that lose the tree in a wind: bits by their ids. */
-static unsigned losers_at(const struct wf_at_speed *at)
+/* The criteria that lose the tree: bits by their ids. */
+static unsigned losers_of(const struct wf_assess_part *part)
 {
     unsigned out = 0;
-    for (int c = 0; c < WF_CRITERIA && !at->status; c++)
-        if (wf_criteria[c].loses_tree && at->worst[c][WF_SCOPE_STEM].safety <= 1) out |= 1U << c;
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (wf_criteria[c].loses_tree && part[c].safety <= 1) out |= 1U << c;
     return out;
 }
 
@@ -120,9 +141,9 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
         out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
                                                .breakage = part_at(&an.tree, &at, false),
                                                .overturning = part_at(&an.tree, &at, true),
-                                               .loss = at.status ? 0 : wf_verdict_safety(&at, NULL),
-                                               .lost_by = losers_at(&at) };
+                                               .loss = at.status ? 0 : wf_verdict_safety(&at, NULL) };
         out[k].breakage.from = out[k].overturning.from = out[k].from;
+        parts_at(&an.tree, &at, out[k].from, out[k].by);
         for (size_t i = 0; i < an.loads.ties; i++) out[k].tie[i] = at.status ? (double)NAN : at.tie[i];
         for (size_t i = 0; i < an.loads.links; i++) out[k].link[i] = at.status ? (double)NAN : at.link[i];
         /* in one direction the elastic limit may be nearest, in another what loses the tree */
@@ -229,7 +250,7 @@ static void find_reasons(const struct wf_analysis *an, struct wf_assessment *out
     if (isnan(out->overturning.safety)) out->because |= WF_ASSESS_NO_OVERTURNING;
     const struct wf_at_speed *at = &an->at[an->n - 1];
     if (at->status) out->because |= WF_ASSESS_NO_EQUILIBRIUM;
-    out->lost_by = losers_at(at);
+    out->lost_by = losers_of(out->least);
     if (isnan(out->breakage.safety))
         out->because |= WF_ASSESS_NO_STRENGTH;
     else if (!wf_criterion_known(elastic, &an->tree, WF_SCOPE_STEM))
@@ -302,25 +323,43 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
     enum wf_status s = check_root(an, o, e);
     if (!s) s = find_sound(an, o, out, e);
     if (s) return s;
+    parts_at(&an->tree, at, NAN, out->least);
     find_years(an, often, out);
     find_reasons(an, out);
     out->word = word_of(out, at->status || wf_verdict_safety(at, NULL) <= 1);
     return WF_OK;
 }
 
+/* The lesser of two safeties. */
+static struct wf_assess_part lesser(const struct wf_assess_part *a, const struct wf_assess_part *b)
+{
+    return b->safety < a->safety || (isnan(a->safety) && !isnan(b->safety)) ? *b : *a;
+}
+
 /* The least of a safety over all directions. Another direction is named where it is less by more than the
  * solution's error and what the mirror image of a direction differs by. */
-static struct wf_assess_part least_of(const struct wf_assess_part *own, size_t n,
-                                      const struct wf_assess_direction *d, bool whole)
+static struct wf_assess_part named(const struct wf_assess_part *own, struct wf_assess_part least)
 {
     const double alike = 5e-3;
-    struct wf_assess_part least = *own;
-    for (size_t k = 0; k < n; k++) {
-        const struct wf_assess_part *other = whole ? &d[k].overturning : &d[k].breakage;
-        if (other->safety < least.safety) least = *other;
-    }
-    if (!(least.safety < own->safety * (1 - alike))) least.from = own->from;
+    if (least.safety >= own->safety * (1 - alike)) least.from = own->from;
     return least;
+}
+
+/* Safeties of the analysis and in the first n directions become the least of both. */
+static void take_least(struct wf_assessment *x, size_t n)
+{
+    struct wf_assess_part breakage = x->breakage, overturning = x->overturning;
+    for (size_t k = 0; k < n; k++) {
+        breakage = lesser(&breakage, &x->direction[k].breakage);
+        overturning = lesser(&overturning, &x->direction[k].overturning);
+    }
+    x->breakage = named(&x->breakage, breakage), x->overturning = named(&x->overturning, overturning);
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        struct wf_assess_part least = x->least[c];
+        for (size_t k = 0; k < n; k++) least = lesser(&least, &x->direction[k].by[c]);
+        x->least[c] = named(&x->least[c], least);
+    }
+    x->lost_by = losers_of(x->least);
 }
 
 void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direction *direction, double from,
@@ -332,12 +371,9 @@ void wf_assess_all_around(struct wf_assessment *x, const struct wf_assess_direct
     bool lost = x->word == WF_ASSESS_LOST;
     x->directions = n, x->direction = direction, x->from = from, x->one = one;
     x->breakage.from = x->overturning.from = from;
-    x->breakage = least_of(&x->breakage, counted, direction, false);
-    x->overturning = least_of(&x->overturning, counted, direction, true);
-    for (size_t k = 0; k < counted; k++) {
-        lost = lost || direction[k].loss <= 1;
-        x->lost_by |= direction[k].lost_by;
-    }
+    for (int c = 0; c < WF_CRITERIA; c++) x->least[c].from = from;
+    take_least(x, counted);
+    for (size_t k = 0; k < counted; k++) lost = lost || direction[k].loss <= 1;
     double share = fmin(x->breakage.safety, x->overturning.safety) / before;
     if (one || !(before > 0) || isnan(share)) return;
     if (full) x->sound = x->breakage.safety;

@@ -52,8 +52,8 @@ struct wf_assess_part {
 struct wf_assess_direction {
     double from; /* where the wind comes from, clockwise from north [rad] */
     struct wf_assess_part breakage, overturning;
-    double loss;      /* least safety by criteria that lose the tree [-]; 0: no equilibrium */
-    unsigned lost_by; /* as struct wf_assessment */
+    struct wf_assess_part by[WF_CRITERIA]; /* as `least` of struct wf_assessment */
+    double loss; /* least safety by criteria that lose the tree [-]; 0: no equilibrium */
     /* of what holds the tree, at the peak of the load on the stem, as struct wf_at_speed; NAN: no equilibrium
      * [N] */
     double tie[WF_TIES_MAX], link[WF_LINKS_MAX];
@@ -69,13 +69,16 @@ struct wf_assessment {
     double speed;                   /* strongest given wind [m/s] */
     struct wf_assess_part breakage; /* of the stem, by the elastic limit too */
     struct wf_assess_part overturning;
-    double wet_low, wet_high;     /* against overturning in saturated soil [-] */
-    double sound;                 /* against breakage with sound, full sections [-] */
-    double low, high;             /* 5 and 95 % of the least of both [-]; NAN: no interval */
-    double years;                 /* return period of the critical wind; NAN: unknown */
-    bool years_least, years_most; /* it is less, more than `years` */
-    const char *years_unknown;    /* why */
-    const char *years_by;         /* the file of the extremes; NULL: the code of the given wind */
+    struct wf_assess_part least[WF_CRITERIA]; /* by each that loses the tree or of which practice wants more
+                                                 than 1, of all directions that count; NAN: others, and in a
+                                                 wind without equilibrium */
+    double wet_low, wet_high;                 /* against overturning in saturated soil [-] */
+    double sound;                             /* against breakage with sound, full sections [-] */
+    double low, high;                         /* 5 and 95 % of the least of both [-]; NAN: no interval */
+    double years;                             /* return period of the critical wind; NAN: unknown */
+    bool years_least, years_most;             /* it is less, more than `years` */
+    const char *years_unknown;                /* why */
+    const char *years_by;                     /* the file of the extremes; NULL: the code of the given wind */
     double years_low, years_high; /* by the band of 90 % of the extremes; 0, INFINITY: beyond it; NAN: none */
     double exceedance;      /* probability of the critical wind in a year [-], with the same bounds; NAN */
     double over_life, life; /* the same in at least one of `life` years [-] */
