@@ -143,6 +143,11 @@ static void mistakes(void **state)
             "“4 lb”：“lb”不是长度的单位；可用：m, cm, mm",
             "“minera”不属于 mineral, gleyed, peaty, peat, unknown；是否指“mineral”？",
             "方案“thin=200%”：thin: 200% 超出 0..0.9" } },
+        /* a sentence without a translation is not half translated */
+        { "$W analyze oak --model culmx --wind 10 --lang zh",
+          CODE_INPUT,
+          { "error: culmx: there is no such file, and no shipped tree model of that name; did you mean "
+            "'culm'?\n" } },
         { "$W assess models/cards/oak.yaml --lang zh --samples 0 --scenarios "
           "reduce=3m,thin=15%,season=leaf_off,soil=peat 2>/dev/null >$T/said; python3 tests/tongue.py said "
           "<$T/said; "

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "base/said.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "data/species_names.h"
@@ -101,19 +102,27 @@ int wf_complain(const struct wf_err *e)
     return wf_exit_code(e->code);
 }
 
-/* A mistake keeps the units of the file that it is about; a warning is in those of the terminal. */
+/* A mistake keeps the units of the file that it is about; a warning is in those of the terminal. One without
+ * a translation stays in English, the word before it too. */
 static void print_finding(const struct wf_finding *f)
 {
     struct wf_arena a = { 0 };
-    char place[512], code[80] = "";
-    const char *own = wf_show_words(f->said, &a), *text = own ? own : f->text,
-               *turned = wf_show_units() && f->severity != WF_ERROR
-                             ? wf_page_units_turned(wf_show_units(), text, NULL, &a)
+    char place[512], code[80] = "", line[2048];
+    struct wf_finding said = *f;
+    const struct wf_said whole = { .message = "{1}", .n = 1, .arg = { f->text } };
+    const char *own = wf_show_words(f->said, &a);
+    if (!own) own = wf_show_words(&whole, &a);
+    if (own) said.text = own;
+    const char *turned = wf_show_units() && f->severity != WF_ERROR
+                             ? wf_page_units_turned(wf_show_units(), said.text, NULL, &a)
                              : NULL;
-    wf_finding_place(f, place, sizeof place);
+    if (turned) said.text = turned;
     if (f->code) (void)snprintf(code, sizeof code, " [%s]", f->code);
-    wf_show(stderr, "%s%s%s: %s\n", place, f->severity == WF_ERROR ? "error" : "warning", code,
-            turned ? turned : text);
+    if (own && strcmp(own, f->text) != 0)
+        wf_show(stderr, "%s%s%s: %s\n", wf_finding_place(f, place, sizeof place),
+                f->severity == WF_ERROR ? "error" : "warning", code, said.text);
+    else
+        wf_show(stderr, "%s\n", wf_finding_print(&said, line, sizeof line));
     wf_arena_free(&a);
 }
 

@@ -270,6 +270,22 @@ static const char *of_crown(const struct wf_tongue *t, const char *text, struct 
     return !at ? one : rest ? wf_arena_print(a, t->english ? "%s, %s" : "%s、%s", one, rest) : NULL;
 }
 
+/* Has a text three words in a row? Then it is a part of a sentence, of which no half is translated. */
+static bool is_sentence(const char *text)
+{
+    size_t words = 0, letters = 0;
+    for (const char *p = text;; p++) {
+        if (isalpha((unsigned char)*p)) {
+            letters++;
+            continue;
+        }
+        words = letters > 1 && (*p == ' ' || !*p) ? words + 1 : 0;
+        if (words == 3) return true;
+        if (!*p) return false;
+        letters = 0;
+    }
+}
+
 /* A list, each part by itself; `text` where no part has a translation. */
 static const char *list(const struct wf_tongue *t, const char *text, struct wf_arena *a)
 {
@@ -283,6 +299,7 @@ static const char *list(const struct wf_tongue *t, const char *text, struct wf_a
             one && !strcmp(first, "crown") && separators[k].english[0] == ':' ? of_crown(t, rest, a) : NULL;
         if (one && !other) other = piece(t, rest, a);
         if (!other || (one == first && other == rest)) return text;
+        if ((one == first && is_sentence(first)) || (other == rest && is_sentence(rest))) return text;
         return joined(one, t->english ? separators[k].english : separators[k].own, other, a);
     }
     return text;
