@@ -102,6 +102,46 @@ static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve
     return s;
 }
 
+static double azimuth_of(const struct wf_model *m, size_t k)
+{
+    return remainder(m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS, 2 * M_PI);
+}
+
+/* Where the tree is clearly lost first as the wind rises: where that is far from the given wind, directions
+ * that were near to the first are compared again in winds nearer to it. Given: their safeties in `speed`, the
+ * least of which is *worst's. */
+static enum wf_status find_first(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                                 double north, const struct wf_assess_direction *d, double *worst,
+                                 struct wf_err *e)
+{
+    enum { PASSES = 2 };
+    const double near = 1.1, others = 1.25, clear = 0.03, highest = 60;
+    double loss[WF_ASSESS_DIRECTIONS], least = INFINITY;
+    size_t first = 0;
+    for (size_t k = 0; k < WF_ASSESS_DIRECTIONS; k++) {
+        loss[k] = d[k].loss, least = fmin(least, loss[k]);
+        if (azimuth_of(an->model, k) == *worst) first = k;
+    }
+    for (int pass = 0; pass < PASSES && isfinite(least) && fmax(least, 1 / least) > near; pass++) {
+        const double limit = others * least;
+        speed *= fmin(fmax(pow(least, 0.6), 0.5), 2); /* loads grow less than as its square */
+        if (speed > highest) break;
+        least = INFINITY;
+        size_t lowest = first;
+        for (size_t k = 0; k < WF_ASSESS_DIRECTIONS; k++) {
+            struct wf_at_speed at;
+            if (!(loss[k] <= limit) && k != first) continue;
+            enum wf_status s = turn(an, o, speed, azimuth_of(an->model, k), north, &at, e);
+            if (s) return s;
+            loss[k] = at.status ? 0 : wf_verdict_safety(&at, NULL);
+            if (loss[k] < least) lowest = k, least = loss[k];
+        }
+        if (least < (1 - clear) * loss[first]) first = lowest;
+    }
+    *worst = azimuth_of(an->model, first);
+    return WF_OK;
+}
+
 enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_model *m,
                                 const struct wf_scenario *sc, const struct wf_solver *solver,
                                 const struct wf_solve_options *o, double speed, double north,
@@ -115,7 +155,7 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
     enum wf_status s = set_up(&an, o, speed, &scratch, e);
     for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !s; k++) {
         struct wf_at_speed at;
-        double azimuth = remainder(m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS, 2 * M_PI);
+        double azimuth = azimuth_of(m, k);
         if ((s = turn(&an, o, speed, azimuth, north, &at, e))) break;
         out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
                                                .breakage = part_at(&an.tree, &at, false),
@@ -132,6 +172,7 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
         if (first || (tied && own < least)) *worst = azimuth, least = own;
         lost = fmin(lost, loss);
     }
+    if (!s) s = find_first(&an, o, speed, north, out, worst, e);
     wf_arena_free(&scratch);
     return s;
 }
