@@ -292,36 +292,6 @@ static enum wf_assess_word word_of(const struct wf_assessment *x, bool lost)
     return x->because ? WF_ASSESS_INCOMPLETE : WF_ASSESS_SUFFICIENT;
 }
 
-/* ---- Roots that hold nothing upright ---- */
-
-/* What the weight adds to the moment on the ground per angle that the tree turns about its base [N m/rad]. */
-static double weight_stiffness(const struct wf_analysis *an)
-{
-    const struct wf_tree *t = &an->tree;
-    double sum = 0.0, ground = INFINITY;
-    for (size_t i = 0; i < t->n; i++)
-        if (t->parent[i] < 0) ground = fmin(ground, t->z0[i]);
-    for (size_t i = 0; i < t->n; i++) {
-        double along = wf_line_point_of(t, i, 0.5).mass * wf_tree_length(t, i);
-        sum += along * (0.5 * (t->z0[i] + t->z1[i]) - ground);
-        if (t->mass1) sum += t->mass1[i] * (t->z1[i] - ground);
-    }
-    return sum * an->loads.gravity;
-}
-
-/* A tree on a spring softer than that finds its equilibrium where it lies or hangs, with small stresses. */
-static enum wf_status check_root(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                 struct wf_err *e)
-{
-    double softest = fmin(o->root_stiffness[0], o->root_stiffness[1]), needed = weight_stiffness(an);
-    if (!(softest > 0.0) || softest > needed || an->loads.ties) return WF_OK; /* guys may hold it */
-    return wf_fail(
-        e, WF_EINPUT,
-        "%s: roots of %.3g kN m/rad do not hold the tree upright: its own weight needs more than %.3g kN "
-        "m/rad. Check the unit: a plain number is in N m/rad",
-        an->model->name, 1e-3 * softest, 1e-3 * needed);
-}
-
 enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
                          const struct wf_assess_often *often, struct wf_assessment *out, struct wf_err *e)
 {
@@ -340,8 +310,7 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
         const struct wf_interval_at *i = &an->interval->at[an->interval->winds - 1];
         out->low = i->wanted_low, out->high = i->wanted_high;
     }
-    enum wf_status s = check_root(an, o, e);
-    if (!s) s = find_sound(an, o, out, e);
+    enum wf_status s = find_sound(an, o, out, e);
     if (s) return s;
     find_years(an, often, out);
     find_reasons(an, out);
