@@ -305,6 +305,11 @@ static void every_direction_counts(void **state)
           "csv.DictReader(open('$T/o.csv'))]; print(c[0] < c[1], c)\"",
           CODE_OK,
           { "True" } },
+        { "(echo species,height_m,dbh_m,crown_width_m,crown_base_m,lean_deg,lean_towards_deg; echo "
+          "oak,20,0.8,14,4,0,90) >$T/t.csv; $W assess $T/t.csv -o $T/o.csv -q --wind 20 && cut -d, -f 8 "
+          "$T/o.csv",
+          CODE_OK,
+          { "assessed" } },
         /* of a ridge the weakest direction is found, whatever the model's axes */
         { "for n in 0deg 40deg; do $W assess --species oak --height 20m --girth 2.5m --crown-width 14m "
           "--crown-base 4m --soil mineral --wind 20 --samples 0 --dem docs/examples/heights.asc --at "
