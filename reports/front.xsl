@@ -460,7 +460,12 @@
       </xsl:for-each>
       <xsl:choose>
         <xsl:when test="$trees/assessment">
-          <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.card</xsl:with-param></xsl:call-template></li>
+          <li><xsl:call-template name="say"><xsl:with-param name="id">
+            <xsl:choose>
+              <xsl:when test="$trees[assessment]/model[judged_to/value != '' or not(judged_to)]">fp.lacks.card</xsl:when>
+              <xsl:otherwise>fp.lacks.limbs</xsl:otherwise>
+            </xsl:choose>
+          </xsl:with-param></xsl:call-template></li>
         </xsl:when>
         <xsl:otherwise>
           <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.tree</xsl:with-param></xsl:call-template></li>

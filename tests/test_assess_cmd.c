@@ -23,6 +23,10 @@ static void pages(void **state)
         { "$W assess models/cards/oak.yaml --girth 4m --pull-moment 2MN*m",
           CODE_OK,
           { "SUFFICIENT: enough by all that was assessed" } },
+        /* just below 1 */
+        { "$W assess models/cards/oak.yaml --basic-wind 15.33 --samples 0",
+          CODE_OK,
+          { "it may overturn: safety 0.997 to 1.30\n", "in saturated soil     0.997 to 1.30\n" } },
         { "$W assess " OAK " --soil mineral",
           CODE_OK,
           { "LOST: as computed", "against overturning", "in saturated soil", "the tree overturns" } },
@@ -131,6 +135,45 @@ static void same_winds(void **state)
           CODE_OK,
           { "as it stands        -       2.14         0.84         23.0  lost", "14:wf_critical_wind_m_s\n",
             "\n22.953\n" } },
+    };
+    CHECK(rows);
+}
+
+/* What is not assessed of the tree of a fit, whose stem is judged in the whole, and of a card. */
+static void whole_stem(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W fit $S -o $T/pull -q --no-report; for l in en zh; do $W assess --from $T/pull --wind 20 "
+          "--samples 0 "
+          "--no-pdf -q -o $T/out --lang $l; grep -c 'the middle of the crown\\.\\|树冠中部以上的主干。' "
+          "$T/out/report.html; grep -c '<li>Limbs, forks and unions\\.<\\|<li>大枝、分叉与枝干结合处。<' "
+          "$T/out/report.html; done; $W assess models/cards/oak.yaml --samples 0 --no-pdf -q -o $T/o; grep "
+          "-c "
+          "'<li>Limbs, forks and unions; the stem above the middle of the crown\\.<' $T/o/report.html",
+          CODE_OK,
+          { "0\n1\n0\n1\n1\n" } },
+    };
+    CHECK(rows);
+}
+
+/* Mistakes in Chinese: none of them is half in English. */
+static void mistakes_in_chinese(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W fit $S -o $T/pull -q; A='assess models/cards/oak.yaml -q --lang zh'; { $W $A --samples 8; $W "
+          "$A "
+          "--scenarios reduce=99%; $W $A --scenarios terrain=XI; $W $A --root-loss 10deg:20deg:300%; $W $A "
+          "--basic-pressure 1; $W $A --snow 20cm --season leaf_off; $W assess --from $T/pull --reduce 20% "
+          "--wind 20 "
+          "--lang zh -q; $W assess nope.yaml --lang zh; } >$T/a 2>&1; grep -v '^“windfirm assess "
+          "--help”\\|^windfirm: "
+          "输入中' $T/a | sed 's/.*\\(错误\\|windfirm\\)[^:]*: //; s/“[^”]*”//g; s/--[a-z-]*//g; "
+          "s/[0-9a-z]*deg[0-9a-z:%]*//g' >$T/b; grep -c . $T/b; grep -n '[a-z][a-z][a-z]' $T/b; cat $T/a",
+          CODE_OK,
+          { "8\n2:", "错误: 8 个样本：应为 0（不算区间）或 20 至 4096", "“99%”不是缩冠量",
+            "未知的地面类别“XI”" } },
     };
     CHECK(rows);
 }
@@ -706,7 +749,22 @@ static void refused(void **state)
         { "$W assess --species moso_bamboo --height 12 --dbh 10cm --crown-width 3 --crown-base 6 --wind 20",
           CODE_INPUT,
           { "hollow culms" } },
+        /* behind an unknown option nothing else is missing */
         { "$W assess " OAK " --leaf-area 5m2", CODE_INPUT, { "unknown option '--leaf-area'" } },
+        { "$W assess models/cards/oak.yaml --solver rod >$T/a 2>&1; grep -c . $T/a; cat $T/a; $W assess "
+          "--species oak "
+          "--desing en1991 --girth 2wm",
+          CODE_INPUT,
+          { "2\nwindfirm assess: unknown option '--solver'",
+            "unknown option '--desing'; did you mean '--design'?\n"
+            "windfirm assess: --girth: " } },
+        { "for f in nope.yaml nope/nope.csv; do $W assess $f; echo $?; $W assess $f --design en1991 "
+          "--basic-wind 25; "
+          "done >$T/a 2>&1; grep -c 'is needed\\|begins with' $T/a; cat $T/a; exit 2",
+          CODE_INPUT,
+          { "0\nwindfirm assess: --card: nope.yaml: No such file or directory\n'windfirm assess "
+            "--help'",
+            "2\nwindfirm assess: --card: nope.yaml: No", "nope/nope.csv: No such file" } },
         { "$W assess --species oak --height 20 --girth 2.5 --crown-width 14 --crown-base 4 --wind 0",
           CODE_INPUT,
           { "--wind: 0 m/s is no wind in which a tree could be assessed" } },
@@ -741,6 +799,8 @@ int main(void)
                                         cmocka_unit_test(every_direction_counts),
                                         cmocka_unit_test(from_fit),
                                         cmocka_unit_test(same_winds),
-                                        cmocka_unit_test(lost_elsewhere) };
+                                        cmocka_unit_test(lost_elsewhere),
+                                        cmocka_unit_test(mistakes_in_chinese),
+                                        cmocka_unit_test(whole_stem) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

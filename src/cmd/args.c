@@ -27,6 +27,7 @@ static void unknown_option(struct wf_reading *r, const char *word, size_t length
     for (; n < r->options; n++) known[n] = r->args->option[n].name;
     known[n++] = "--help";
     struct wf_hint hint = wf_did_you_mean(typed, known, n);
+    r->unknown = true;
     wf_option_mistake(r, NULL, "", "unknown option '%s'%s", typed,
                       *hint.text ? hint.text : "; 'windfirm COMMAND --help' lists them");
 }
@@ -46,7 +47,8 @@ static int read_option(struct wf_reading *r, int argc, char **argv, int i)
     while (k < r->options && !is_named(&r->args->option[k], word, length)) k++;
     if (k == r->options) {
         unknown_option(r, word, length);
-        return 1;
+        /* the word behind may be its value */
+        return equals || i + 1 == argc || argv[i + 1][0] == '-' || wf_file_is_there(argv[i + 1]) ? 1 : 2;
     }
     const struct wf_option *o = &r->args->option[k];
     const char *value = equals ? equals + 1 : i + 1 < argc ? argv[i + 1] : NULL;
@@ -75,6 +77,7 @@ static int read_option(struct wf_reading *r, int argc, char **argv, int i)
 
 static void check_operands(struct wf_reading *r, size_t low, size_t high)
 {
+    if (r->unknown) return;
     if (r->args->n < low)
         wf_option_mistake(r, NULL, "", "%zu argument%s needed, %zu given", low, low == 1 ? " is" : "s are",
                           r->args->n);
@@ -104,7 +107,8 @@ static void refuse_wrong(struct wf_reading *r)
     }
 }
 
-/* Defaults of what was not given, then the winds, which depend on other options. Called by the study file's
+/* Defaults of what was not given, then, where all options are known, what depends on others: the winds, and
+ * what is missing or without effect. Called by the study file's
  * reader while mistakes about keys still know their line, else at the end; a second call does nothing. */
 static void complete(struct wf_reading *r)
 {
@@ -113,6 +117,7 @@ static void complete(struct wf_reading *r)
     r->complete = true;
     for (size_t k = 0; k < r->options; k++)
         if (!out->given[k] && out->option[k].initial) wf_option_take(r, k, out->option[k].initial);
+    if (r->unknown) return;
     wf_winds_read(r);
     refuse_wrong(r);
     if (!r->mistakes) refuse_unused(r);

@@ -102,14 +102,22 @@ static bool width_wrong(const void *options, const struct wf_option *row, char *
     return wrong_value(options, WF_CARD_WIDTH, why);
 }
 
+/* The card or table that is not there; NULL: none. What it would say is not asked for. */
+static const char *absent(const struct wf_args *a)
+{
+    return a->n && *a->operand[0] && !wf_file_is_there(a->operand[0]) ? a->operand[0] : NULL;
+}
+
 /* "--girth 250 cm" without quotes: the unit is no table. */
 static bool operand_wrong(const void *options, const struct wf_option *row, char *why)
 {
-    const struct wf_args *a = options;
-    const char *operand = a->n ? a->operand[0] : "";
+    const char *operand = absent(options);
     (void)row;
+    if (!operand) return false;
+    if (strpbrk(operand, "./"))
+        return wf_option_unused(true, why, "%.200s: No such file or directory", operand);
     return wf_option_unused(
-        *operand && !strpbrk(operand, "./") && !wf_file_is_there(operand), why,
+        true, why,
         "'%.60s' is taken as the name of a card or a table, and there is no such file; a value "
         "and its unit are one word, 250cm or '250 cm'",
         operand);
@@ -143,7 +151,7 @@ static bool wind_wrong(const void *options, const struct wf_option *row, char *w
 {
     const struct wf_assess_options *o = options;
     (void)row;
-    return wf_option_unused(!o->run.wind.n && !o->run.profile.design.code, why,
+    return wf_option_unused(!o->run.wind.n && !o->run.profile.design.code && !absent(&o->run.args), why,
                             "is needed, or --wind: the wind in which the tree is assessed, for example "
                             "--design en1991 --basic-wind 25");
 }

@@ -37,7 +37,7 @@ static const char *safety_text(double x, double required, char out[static 32])
     for (; digits < 8 && isnan(shown); digits++) {
         (void)snprintf(out, 32, "%.*f", digits, x);
         double at = strtod(out, NULL);
-        if ((at < required) == (x < required) && (at > 1) == (x > 1)) shown = at;
+        if ((at < required) == (x < required) && (at < 1) == (x < 1) && (at > 1) == (x > 1)) shown = at;
     }
     return out;
 }

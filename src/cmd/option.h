@@ -155,6 +155,7 @@ struct wf_reading {
     bool failed[WF_OPTIONS_MAX];      /* by row: its text was a mistake                                    */
     struct wf_sink *sink;             /* takes the mistakes; NULL: they are printed                        */
     bool complete;
+    bool unknown;   /* an option was, in place of which another may be missing */
     bool no_memory; /* it ended while an option was read: no mistake of the user */
 };
 

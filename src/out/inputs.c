@@ -176,6 +176,8 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
     wf_doc_count(d, o, "segments", m->segments);
     wf_doc_quantity(d, o, "crown_base", m->crown_base, "m", "no crown");
     wf_doc_quantity(d, o, "crown_top", m->crown_top, "m", "no crown");
+    wf_doc_quantity(d, o, "judged_to", m->judged_to > 0 ? m->judged_to : (double)NAN, "m",
+                    "the whole stem is judged");
     wf_doc_quantity(d, o, "leaf_area", m->leaf_area, "m2", "no crown");
     const struct wf_outline_size seen = wf_silhouette_size(m, wf_model_rise(m));
     static const char no_outline[] = "no outline";

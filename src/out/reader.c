@@ -76,7 +76,7 @@ static const struct {
     { OBJECT,
       "distance towards stiffness pretension pull pull_critical slack breaking branch_safety "
       "unions above branch branch_diameter above_diameter below_diameter "
-      "assessment breakage overturning sound return_period "
+      "assessment breakage overturning sound return_period judged_to "
       "branch_strength factor required_safety resistance stress "
       "verdict anchorage moment moment_by_method moment_carried branches_from critical_gust loss_safety "
       "thickness_low thickness_high "

@@ -270,10 +270,12 @@ static const char *of_crown(const struct wf_tongue *t, const char *text, struct 
     return !at ? one : rest ? wf_arena_print(a, t->english ? "%s, %s" : "%s、%s", one, rest) : NULL;
 }
 
-/* Has a text three words in a row? Then it is a part of a sentence, of which no half is translated. */
+/* Has a text three words in a row, or is it the last of "this, that, or those"? Then it is a part of a
+ * sentence, of which no half is translated. */
 static bool is_sentence(const char *text)
 {
     size_t words = 0, letters = 0;
+    if (!strncmp(text, "or ", 3) || !strncmp(text, "and ", 4)) return true;
     for (const char *p = text;; p++) {
         if (isalpha((unsigned char)*p)) {
             letters++;
