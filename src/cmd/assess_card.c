@@ -143,7 +143,8 @@ static bool wind_wrong(const void *options, const struct wf_option *row, char *w
 {
     const struct wf_assess_options *o = options;
     (void)row;
-    return wf_option_unused(!o->run.wind.n && !o->run.profile.design.code, why,
+    bool needed = !o->run.args.n; /* of a table: asked of its columns, and of each row */
+    return wf_option_unused(needed && !o->run.wind.n && !o->run.profile.design.code, why,
                             "is needed, or --wind: the wind in which the tree is assessed, for example "
                             "--design en1991 --basic-wind 25");
 }
@@ -166,6 +167,28 @@ static bool towards_unused(const void *options, const struct wf_option *row, cha
 {
     return card_unused(options, row, why) ||
            wf_option_unused(!(((const struct wf_assess_options *)options)->lean > 0), why, "without --lean");
+}
+
+const struct wf_assess_beside wf_assess_besides[] = {
+    { "--winter-wind", { "--snow", "--ice" }, "without --snow and --ice" },
+    { "--snow-density", { "--snow" }, "without --snow" },
+    { 0 },
+};
+
+static bool is_option(const struct wf_args *a, size_t k, const char *name)
+{
+    return name && a->given[k] && !strcmp(a->option[k].name, name);
+}
+
+static bool beside_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_args *a = options;
+    const struct wf_assess_beside *b = wf_assess_besides;
+    bool acts = a->n > 0; /* of a table: asked when its columns are known */
+    while (strcmp(b->option, row->name) != 0) b++;
+    for (size_t k = 0; a->option[k].name; k++)
+        acts = acts || is_option(a, k, b->other[0]) || is_option(a, k, b->other[1]);
+    return wf_option_unused(!acts, why, "%s", b->without);
 }
 
 static bool change_unused(const void *options, const struct wf_option *row, char *why)
@@ -289,6 +312,8 @@ const struct wf_option *wf_assess_options_of(struct wf_assess_options *o)
         if (!strcmp(row->name, "--wind")) rows[n].wrong = calm_wrong;
         if (wf_scenario_changes(row) || !strcmp(row->name, "--scenarios")) rows[n].unused = change_unused;
         if (!strcmp(row->name, "--remove")) rows[n].unused = remove_unused;
+        for (const struct wf_assess_beside *b = wf_assess_besides; b->option; b++)
+            if (!strcmp(row->name, b->option)) rows[n].unused = beside_unused;
         n++;
     }
     o->run.branches_from = 0.05;
