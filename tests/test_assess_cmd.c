@@ -295,6 +295,21 @@ static void every_direction_counts(void **state)
 {
     (void)state;
     static const struct row rows[] = {
+        /* of a tree that is lost far below the given wind the direction that comes first is found: a thicker
+           stem is lost in more wind */
+        { "(echo species,height_m,dbh_m,crown_width_m,crown_base_m,lean_deg,lean_towards_deg; for d in "
+          "0.2242 0.2466; "
+          "do echo weeping_willow,13.28,$d,7.15,1.46,15,90; done) >$T/t.csv; $W assess $T/t.csv -o $T/o.csv "
+          "-q --soil "
+          "mineral --wind 20; python3 -c \"import csv; c = [float(r['wf_critical_wind_m_s']) for r in "
+          "csv.DictReader(open('$T/o.csv'))]; print(c[0] < c[1], c)\"",
+          CODE_OK,
+          { "True" } },
+        { "(echo species,height_m,dbh_m,crown_width_m,crown_base_m,lean_deg,lean_towards_deg; echo "
+          "oak,20,0.8,14,4,0,90) >$T/t.csv; $W assess $T/t.csv -o $T/o.csv -q --wind 20 && cut -d, -f 8 "
+          "$T/o.csv",
+          CODE_OK,
+          { "assessed" } },
         /* of a ridge the weakest direction is found, whatever the model's axes */
         { "for n in 0deg 40deg; do $W assess --species oak --height 20m --girth 2.5m --crown-width 14m "
           "--crown-base 4m --soil mineral --wind 20 --samples 0 --dem docs/examples/heights.asc --at "

@@ -62,6 +62,9 @@ static void test_variants(void **state)
           CODE_INPUT,
           { "--root-stiffness: " NOT "with the solver" } },
         { A "--solver chain --root-stiffness 1e5", CODE_OK, { "critical" } },
+        /* softer than its weight: it would hang below its root, hardly stressed */
+        { A "--root-stiffness 50", CODE_INPUT, { "roots of 0.05 kN m/rad do not hold the tree upright" } },
+        { A "--root-stiffness 1e5", CODE_OK, { "critical" } },
         { A "--solver chain --mesh-tolerance 1e-3", CODE_INPUT, { "--mesh-tolerance: " NOT } },
         { A "--averaging in-land", CODE_INPUT, { "--averaging: " NOT } },
         { "$W analyze oak $M --wind beaufort:8 --averaging-time 3",

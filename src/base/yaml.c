@@ -450,7 +450,12 @@ static void yaml_list(struct wf_yaml *y, const yaml_node_t *n, const struct wf_y
 
 /* Mappings under their schema rows. */
 
-enum { ROWS_MAX = 160 };
+static size_t rows_of(const struct wf_yaml_table *t)
+{
+    size_t n = 0;
+    while (t->row[n].key) n++;
+    return n;
+}
 
 static const struct wf_yaml_row *row_with_key(const struct wf_yaml_table *t, const char *key)
 {
@@ -461,9 +466,11 @@ static const struct wf_yaml_row *row_with_key(const struct wf_yaml_table *t, con
 
 static void yaml_unknown_key(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
 {
-    const char *word = yaml_scalar(k), *known[ROWS_MAX];
-    size_t n = 0;
-    for (const struct wf_yaml_row *r = t->row; r->key && n < ROWS_MAX; r++) known[n++] = r->key;
+    const char *word = yaml_scalar(k);
+    const size_t n = rows_of(t);
+    const char **known = wf_yaml_take(y, n, sizeof *known);
+    if (!known) return;
+    for (size_t i = 0; i < n; i++) known[i] = t->row[i].key;
     yaml_at(y, k, "unknown key '%.60s'%s", word, wf_did_you_mean_or(word, known, n, "keys here are: ").text);
 }
 
@@ -510,7 +517,7 @@ static void missing_key(struct wf_yaml *y, const yaml_node_t *n, const struct wf
 }
 
 static void read_keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
-                      const struct wf_yaml_row *outer, unsigned char *out, bool seen[static ROWS_MAX])
+                      const struct wf_yaml_row *outer, unsigned char *out, bool *seen)
 {
     for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
         const yaml_node_t *k = yaml_node(y, q->key);
@@ -532,7 +539,8 @@ static void read_keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_y
 static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
                       const struct wf_yaml_row *outer, unsigned char *out)
 {
-    bool seen[ROWS_MAX] = { false };
+    bool *seen = wf_yaml_take(y, rows_of(t), sizeof *seen);
+    if (!seen) return;
     const yaml_node_t *above = y->node, *above_place = y->place, *place = n ? n : above_place;
     bool mapping = n && n->type == YAML_MAPPING_NODE;
     const char *bare = n ? yaml_scalar(n) : outer ? outer->initial : NULL;

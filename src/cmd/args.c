@@ -122,7 +122,7 @@ static void complete(struct wf_reading *r)
  * The options of a command as keys of a YAML file, so that an analysis can be saved, shared and repeated. One
  * file serves several commands: each takes the keys that are options of its own and lists the others. */
 
-enum { KEYS_MAX = 200 };
+enum { KEYS_MAX = 400 };
 
 /* Commands that take a study file. */
 static const struct taker {
@@ -156,13 +156,16 @@ static size_t find_key(const struct study_keys *b, const char *key)
     return k;
 }
 
-static void add_key(struct study_keys *b, struct wf_yaml_row row)
+/* Returned: is there room for it? */
+static bool add_key(struct study_keys *b, struct wf_yaml_row row)
 {
     size_t k = find_key(b, row.key);
-    if (k < b->keys || k == KEYS_MAX) return;
+    if (k < b->keys) return true;
+    if (k == KEYS_MAX) return false;
     row.offset = offsetof(struct study_keys, value) + k * sizeof b->value[0];
     b->row[k] = row;
     b->keys++;
+    return true;
 }
 
 /* "--root-stiffness" as a key: root_stiffness. Returned: text in the arena, NULL without memory. */
@@ -205,13 +208,15 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
           .doc = "gust model, a name from 'windfirm wind list' - series wind",
           .example = "kaimal" },
     };
-    for (size_t i = 0; i < sizeof first / sizeof *first && b->taker != b->own; i++) add_key(b, first[i]);
+    for (size_t i = 0; i < sizeof first / sizeof *first && b->taker != b->own; i++)
+        (void)add_key(b, first[i]);
     for (const struct taker *c = b->taker == b->own ? b->own : takers; c->command; c++)
         for (const struct wf_option *o = c->option; o->name; o++) {
             const char *key = key_of(o, a), *doc = b->reading ? o->help : doc_of(o, a);
             if (!key || !doc) return false;
-            if (strcmp(key, "study") != 0)
-                add_key(b, (struct wf_yaml_row){ .key = key, .kind = WF_YAML_JOINED, .doc = doc });
+            if (strcmp(key, "study") != 0 &&
+                !add_key(b, (struct wf_yaml_row){ .key = key, .kind = WF_YAML_JOINED, .doc = doc }))
+                return false;
         }
     return true;
 }

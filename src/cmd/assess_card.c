@@ -165,8 +165,10 @@ static bool from_unused(const void *options, const struct wf_option *row, char *
 
 static bool towards_unused(const void *options, const struct wf_option *row, char *why)
 {
-    return card_unused(options, row, why) ||
-           wf_option_unused(!(((const struct wf_assess_options *)options)->lean > 0), why, "without --lean");
+    const struct wf_assess_options *o = options;
+    bool said =
+        o->lean > 0 || wf_option_given(&o->run.args, offsetof(struct wf_assess_options, lean)); /* 0 */
+    return card_unused(options, row, why) || wf_option_unused(!said, why, "without --lean");
 }
 
 const struct wf_assess_beside wf_assess_besides[] = {

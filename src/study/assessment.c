@@ -102,6 +102,46 @@ static enum wf_status turn(const struct wf_analysis *from, const struct wf_solve
     return s;
 }
 
+static double azimuth_of(const struct wf_model *m, size_t k)
+{
+    return remainder(m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS, 2 * M_PI);
+}
+
+/* Where the tree is clearly lost first as the wind rises: where that is far from the given wind, directions
+ * that were near to the first are compared again in winds nearer to it. Given: their safeties in `speed`, the
+ * least of which is *worst's. */
+static enum wf_status find_first(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                                 double north, const struct wf_assess_direction *d, double *worst,
+                                 struct wf_err *e)
+{
+    enum { PASSES = 2 };
+    const double near = 1.1, others = 1.25, clear = 0.03, highest = 60;
+    double loss[WF_ASSESS_DIRECTIONS], least = INFINITY;
+    size_t first = 0;
+    for (size_t k = 0; k < WF_ASSESS_DIRECTIONS; k++) {
+        loss[k] = d[k].loss, least = fmin(least, loss[k]);
+        if (azimuth_of(an->model, k) == *worst) first = k;
+    }
+    for (int pass = 0; pass < PASSES && isfinite(least) && fmax(least, 1 / least) > near; pass++) {
+        const double limit = others * least;
+        speed *= fmin(fmax(pow(least, 0.6), 0.5), 2); /* loads grow less than as its square */
+        if (speed > highest) break;
+        least = INFINITY;
+        size_t lowest = first;
+        for (size_t k = 0; k < WF_ASSESS_DIRECTIONS; k++) {
+            struct wf_at_speed at;
+            if (!(loss[k] <= limit) && k != first) continue;
+            enum wf_status s = turn(an, o, speed, azimuth_of(an->model, k), north, &at, e);
+            if (s) return s;
+            loss[k] = at.status ? 0 : wf_verdict_safety(&at, NULL);
+            if (loss[k] < least) lowest = k, least = loss[k];
+        }
+        if (least < (1 - clear) * loss[first]) first = lowest;
+    }
+    *worst = azimuth_of(an->model, first);
+    return WF_OK;
+}
+
 enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_model *m,
                                 const struct wf_scenario *sc, const struct wf_solver *solver,
                                 const struct wf_solve_options *o, double speed, double north,
@@ -115,7 +155,7 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
     enum wf_status s = set_up(&an, o, speed, &scratch, e);
     for (size_t k = 0; k < WF_ASSESS_DIRECTIONS && !s; k++) {
         struct wf_at_speed at;
-        double azimuth = remainder(m->lean_azimuth + 2 * M_PI * (double)k / WF_ASSESS_DIRECTIONS, 2 * M_PI);
+        double azimuth = azimuth_of(m, k);
         if ((s = turn(&an, o, speed, azimuth, north, &at, e))) break;
         out[k] = (struct wf_assess_direction){ .from = wf_direction_from(&place, azimuth),
                                                .breakage = part_at(&an.tree, &at, false),
@@ -132,6 +172,7 @@ enum wf_status wf_assess_around(const struct wf_species *sp, const struct wf_mod
         if (first || (tied && own < least)) *worst = azimuth, least = own;
         lost = fmin(lost, loss);
     }
+    if (!s) s = find_first(&an, o, speed, north, out, worst, e);
     wf_arena_free(&scratch);
     return s;
 }
@@ -251,36 +292,6 @@ static enum wf_assess_word word_of(const struct wf_assessment *x, bool lost)
     return x->because ? WF_ASSESS_INCOMPLETE : WF_ASSESS_SUFFICIENT;
 }
 
-/* ---- Roots that hold nothing upright ---- */
-
-/* What the weight adds to the moment on the ground per angle that the tree turns about its base [N m/rad]. */
-static double weight_stiffness(const struct wf_analysis *an)
-{
-    const struct wf_tree *t = &an->tree;
-    double sum = 0.0, ground = INFINITY;
-    for (size_t i = 0; i < t->n; i++)
-        if (t->parent[i] < 0) ground = fmin(ground, t->z0[i]);
-    for (size_t i = 0; i < t->n; i++) {
-        double along = wf_line_point_of(t, i, 0.5).mass * wf_tree_length(t, i);
-        sum += along * (0.5 * (t->z0[i] + t->z1[i]) - ground);
-        if (t->mass1) sum += t->mass1[i] * (t->z1[i] - ground);
-    }
-    return sum * an->loads.gravity;
-}
-
-/* A tree on a spring softer than that finds its equilibrium where it lies or hangs, with small stresses. */
-static enum wf_status check_root(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                 struct wf_err *e)
-{
-    double softest = fmin(o->root_stiffness[0], o->root_stiffness[1]), needed = weight_stiffness(an);
-    if (!(softest > 0.0) || softest > needed || an->loads.ties) return WF_OK; /* guys may hold it */
-    return wf_fail(
-        e, WF_EINPUT,
-        "%s: roots of %.3g kN m/rad do not hold the tree upright: its own weight needs more than %.3g kN "
-        "m/rad. Check the unit: a plain number is in N m/rad",
-        an->model->name, 1e-3 * softest, 1e-3 * needed);
-}
-
 enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
                          const struct wf_assess_often *often, struct wf_assessment *out, struct wf_err *e)
 {
@@ -299,8 +310,7 @@ enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_opt
         const struct wf_interval_at *i = &an->interval->at[an->interval->winds - 1];
         out->low = i->wanted_low, out->high = i->wanted_high;
     }
-    enum wf_status s = check_root(an, o, e);
-    if (!s) s = find_sound(an, o, out, e);
+    enum wf_status s = find_sound(an, o, out, e);
     if (s) return s;
     find_years(an, often, out);
     find_reasons(an, out);

@@ -268,13 +268,51 @@ static enum wf_status set_up_shape(struct wf_analysis *an, const struct wf_solve
     return s || an->misread ? s : doubt(an, &an->still->response, &an->still->breakage, a, d, e);
 }
 
+/* What the weight above each root adds to the moment on it per angle that the tree turns about it, the most
+ * [N m/rad]; NAN: not enough memory. */
+static double weight_stiffness(const struct wf_analysis *an, struct wf_arena *scratch)
+{
+    const struct wf_tree *t = &an->tree;
+    size_t *root = WF_TAKE(scratch, t->n, size_t);
+    double *sum = WF_TAKE(scratch, t->n, double), most = 0.0;
+    if (!root || !sum) return NAN;
+    for (size_t i = 0; i < t->n; i++) {
+        double along = wf_line_point_of(t, i, 0.5).mass * wf_tree_length(t, i);
+        root[i] = t->parent[i] < 0 ? i : root[t->parent[i]];
+        const double ground = t->z0[root[i]];
+        sum[root[i]] += along * (0.5 * (t->z0[i] + t->z1[i]) - ground);
+        if (t->mass1) sum[root[i]] += t->mass1[i] * (t->z1[i] - ground);
+        most = fmax(most, sum[root[i]]);
+    }
+    return most * an->loads.gravity * an->loads.weight_scale;
+}
+
+/* A tree on a spring softer than that finds its equilibrium where it lies or hangs, with small stresses. */
+static enum wf_status check_root(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                 struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    double softest = fmin(o->root_stiffness[0], o->root_stiffness[1]), needed;
+    if (!(softest > 0.0) || an->loads.ties) return WF_OK; /* guys may hold it */
+    needed = weight_stiffness(an, &scratch);
+    wf_arena_free(&scratch);
+    if (isnan(needed)) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", an->tree.n);
+    if (softest > needed) return WF_OK;
+    return wf_fail(
+        e, WF_EINPUT,
+        "%s: roots of %.3g kN m/rad do not hold the tree upright: its own weight needs more than %.3g kN "
+        "m/rad. Check the unit: a plain number is in N m/rad",
+        an->model->name, 1e-3 * softest, 1e-3 * needed);
+}
+
 enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
                               struct wf_diag *d, struct wf_err *e)
 {
     struct wf_solve_options own;
     if (!o) wf_solve_options_default(&own), o = &own;
     an->still = NULL;
-    enum wf_status s = set_up_shape(an, o, a, d, e);
+    enum wf_status s = check_root(an, o, e);
+    if (!s) s = set_up_shape(an, o, a, d, e);
     if (!s && !an->still) s = still_of_free(an, o, a, e);
     if (!s && an->scenario.weight_unstressed)
         wf_diag_warn(d, "weight-not-counted",

@@ -17,7 +17,9 @@
  * 'stiffened'; rows in which weight alone uses more than WF_REST_CREDIBLE of the strength are left out of all
  * scopes, and listed in the warning 'not-credible'. Rows of the stem that carry WF_REST_SMALL of the mass or
  * more are listed but not left out. A solver that takes no standing tree gets its stress-free shape.
- * unloaded: the stress-free shape is found. Errors: WF_EUNSTABLE where the tree does not stand with this wood
+ * unloaded: the stress-free shape is found. Errors: WF_EINPUT for a root plate that is softer than the
+ * weight above it is high: its equilibrium is that of a tree that lies or hangs, with small stresses;
+ * WF_EUNSTABLE where the tree does not stand with this wood
  * or root, or no stress-free shape is found; with the model's `stands_strictly` also where a part would have
  * to be stiffened. */
 enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,

@@ -234,6 +234,7 @@ static bool covers(const struct wf_sway_search *q, double speed)
     return n >= 2 && q->peak->sway[n - 2].speed >= speed;
 }
 
+/* An interrupt leaves sways out. */
 static void find_sways(struct wf_sway_search *q, double speed)
 {
     while (q->next < q->n && !wf_interrupted() && !covers(q, speed)) {
@@ -372,6 +373,15 @@ static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct w
     return WF_OK;
 }
 
+/* As wf_sway_reach. Errors: WF_EINTERRUPTED where an interrupt left one out: the peak load would be another.
+ */
+static enum wf_status reach_all(const struct wf_analysis *an, double speed, struct wf_err *e)
+{
+    wf_sway_reach(an, speed);
+    const struct wf_sway_search *left = an->peak ? an->peak->more : NULL;
+    return left && !covers(left, speed) ? wf_fail(e, WF_EINTERRUPTED, "interrupted") : WF_OK;
+}
+
 enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                              size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
@@ -384,7 +394,7 @@ enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_optio
     if (s) return s;
     an->peak = p;
     if (p->method->sways) s = open_search(an, p, o, n && d ? highest : NAN, a, q, e);
-    if (!s) wf_sway_reach(an, highest);
+    if (!s) s = reach_all(an, highest, e);
     if (!s && d && p->method->sways) note_limits(an, p, highest, d);
     if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
     return s;
@@ -394,7 +404,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     enum wf_status s = wf_sway_begin(an, o, speeds, n, a, d, e);
-    if (!s) wf_sway_reach(an, INFINITY);
+    if (!s) s = reach_all(an, INFINITY, e);
     wf_sway_end(an);
     return s;
 }
