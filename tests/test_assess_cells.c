@@ -30,9 +30,7 @@ static void own_winds(void **state)
               GO "--wind 20; sed 's/.*\\(assessed\\|mistake\\)/\\1/' $T/o.csv | cut -d, -f1-4",
           CODE_OK,
           { "assessed,,incomplete,4.2777\nassessed,,incomplete,2.1609\nassessed,,incomplete,2.1609\n"
-            "assessed,,incomplete,4.2777\nmistake,\"wind_kmh: '30,beaufort:8' has a wind without a unit of "
-            "its "
-            "own",
+            "assessed,,incomplete,4.2777\nmistake,\"wind_kmh: '30,beaufort:8' is neither",
             "\nassessed,,incomplete,4.2777\n" } },
         /* the wind of the table alone, as the option gives it */
         { TREE_OF(",wind\noak,20,250,14,4,20\noak,20,250,14,4,") GO "; echo $?; cut -d, -f7-10 $T/o.csv",
@@ -46,6 +44,21 @@ static void own_winds(void **state)
           CODE_OK,
           { "0\nwf_status", "assessed,,incomplete,2.1405\nwf_status", "assessed,,incomplete,2.1405\n" } },
         { TREE_OF("\noak,20,250,14,4") GO "--lang zh", CODE_INPUT, { "没有列也没有选项给出风" } },
+        /* a cell's wind before that of the line, in either way of giving it; what is no wind is said with its
+           bytes */
+        { TREE_OF(",wind\noak,20,250,14,4,20\noak,20,250,14,4,") GO
+          "--design en1991 --basic-wind 25 --terrain II; cut -d, -f7-10 $T/o.csv; " TREE_OF(
+              ",design,basic_wind,terrain\noak,20,250,14,4,en1991,25,III\noak,20,250,14,4,,,") GO
+          "--wind 20; cut -d, "
+          "-f9-12 $T/o.csv",
+          CODE_OK,
+          { "\nassessed,,incomplete,2.5608\nassessed,,incomplete,1.5847\n",
+            "\nassessed,,incomplete,2.1405\nassessed,,incomplete,2.584\n" } },
+        { TREE_OF(",wind_kmh\noak,20,250,14,4,1.2.3\noak,20,250,14,4,-5\noak,20,250,14,4,.5") GO
+          "--wind 20; cut "
+          "-d, -f6- $T/o.csv",
+          CODE_OK,
+          { "mistake,\"wind: '1.2.3': ", "'-5' is neither winds", "\n.5,assessed,,incomplete,197" } },
         /* a share of the wind beside a column of snow acts where there is snow; without one it is refused */
         { TREE_OF(",snow_cm\noak,20,250,14,4,20\noak,20,250,14,4,") GO
           "--wind 20 --winter-wind 0.4; cut -d, -f7-10 $T/o.csv; " TREE_OF(
@@ -96,11 +109,13 @@ static void said_once(void **state)
             "tree",
             "\nassessed,,incomplete,2.584\nwf_status", "\nassessed,,incomplete\nassessed,,incomplete\n" } },
         /* mistakes of options, before any row */
-        { TREE_OF(
-              ",soil\noak,20,250,14,4,mineral\noak,20,250,14,4,") "for o in '--samples 8' '--terrain 9' "
-                                                                  "'--guy 9m' '--cavity foo' '--peak gales' "
-                                                                  "; do " GO
-                                                                  "--wind 20 $o 2>&1; echo $?; done; ls $T",
+        { TREE_OF(",soil,wind\noak,20,250,14,4,mineral,20\noak,20,250,14,4,,") "for o in '--samples 8' "
+                                                                               "'--terrain 9' "
+                                                                               "'--guy 9m' '--cavity foo' "
+                                                                               "'--peak gales' "
+                                                                               "; do " GO
+                                                                               "--wind 20 $o 2>&1; echo $?; "
+                                                                               "done; ls $T",
           CODE_OK,
           { "windfirm: 8 samples: 0, none, or 20 to 4096\n2\nwindfirm: unknown terrain category '9'",
             "\n2\nwindfirm: --guy: '9m...': a guy is HEIGHT:DISTANCE",

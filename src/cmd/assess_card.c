@@ -144,7 +144,7 @@ static bool wind_wrong(const void *options, const struct wf_option *row, char *w
     const struct wf_assess_options *o = options;
     (void)row;
     bool needed = !o->run.args.n; /* of a table: asked of its columns, and of each row */
-    return wf_option_unused(needed && !o->run.wind.n && !o->run.profile.design.code, why,
+    return wf_option_unused(needed && !WF_GIVEN(&o->run, wind) && !o->run.profile.design.code, why,
                             "is needed, or --wind: the wind in which the tree is assessed, for example "
                             "--design en1991 --basic-wind 25");
 }

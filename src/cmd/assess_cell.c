@@ -79,7 +79,9 @@ static const char *winds_in_si(const struct wf_head *head, const struct wf_optio
     char *text = p ? wf_arena_print(a, "%.*s", (int)(p - cell), cell) : wf_arena_text(a, cell);
     while (p && *p && text) {
         double v;
-        const char *stop = isdigit((unsigned char)*p) ? wf_number_read(p, end, '.', &v) : NULL;
+        bool number = isdigit((unsigned char)*p) || *p == '.';
+        const char *stop = number ? wf_number_read(p, end, '.', &v) : NULL;
+        if (stop && *stop == '.') return wf_arena_text(a, cell); /* "1.2.3" is none, with any unit */
         text =
             stop ? wf_arena_print(a, "%s%.17g", text, v * head->factor) : wf_arena_print(a, "%s%c", text, *p);
         p = stop ? stop : p + 1;
@@ -126,10 +128,11 @@ static const char *winds_fault(const struct wf_heads *h, const struct wf_rows *r
                               "15.25, and several winds with a blank behind each comma, as 15, 25",
                               r->name[k], cell);
     if (lacks_unit(head, o, cell))
-        return wf_arena_print(a,
-                              "%s: '%.60s' has a wind without a unit of its own beside words; write the unit "
-                              "behind the last number, for example 36, 54 km/h",
-                              r->name[k], cell);
+        return wf_arena_print(
+            a,
+            "%s: '%.60s' is neither winds in the unit of the column nor winds with their own; "
+            "write the unit behind the last number, for example 36, 54 km/h",
+            r->name[k], cell);
     return NULL;
 }
 

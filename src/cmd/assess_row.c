@@ -319,8 +319,8 @@ static bool lacks_spacing(const struct wf_args *line)
            !line->given[wf_head_option(line->option, "--spacing")];
 }
 
-/* Mistakes of options that are said of every row, once. A column by an option's own name may be what the
- * option needs: then rows say theirs. */
+/* Mistakes of options that are said of every row, once. A column by an option's own name may be what an
+ * option needs, unless it stands apart: then rows say theirs. */
 static enum wf_status check_line(const struct wf_tree_columns *c, struct wf_err *e)
 {
     const struct wf_analyze_options *o = &c->line->run;
@@ -330,9 +330,13 @@ static enum wf_status check_line(const struct wf_tree_columns *c, struct wf_err 
     struct wf_cavity *cavity;
     size_t cavities;
     const struct wf_interval_request samples = { o->samples, o->seed, o->threads };
+    static const char apart[] = "wind guy cable rod altitude temperature winter-wind snow-density";
     bool own = false;
     enum wf_status s = wf_interval_check(&samples, e);
-    for (size_t k = 0; k < c->rows->columns; k++) own = own || c->heads.head[k].own;
+    for (size_t k = 0; k < c->rows->columns; k++) {
+        const struct wf_head *h = &c->heads.head[k];
+        own = own || (h->own && !wf_text_among(apart, o->args.option[h->option].name + 2));
+    }
     if (!s && lacks_spacing(&o->args) && c->heads.spacing == WF_HEAD_NONE)
         s = wf_fail(e, WF_EUSAGE,
                     "--peak gales needs the spacing of the stand: --spacing, or a column spacing");
@@ -351,22 +355,41 @@ enum wf_status wf_tree_columns_check(const struct wf_tree_columns *c, struct wf_
 
 /* ---- Reading a row ---- */
 
+/* Is the option given by the command line, or by a cell of the row? */
+static bool is_given(const struct wf_args *line, const char *name, const size_t *option,
+                     const char *const *cell, size_t n)
+{
+    size_t row = wf_head_option(line->option, name);
+    bool given = line->given[row];
+    for (size_t i = 0; i < n; i++) given = given || (option[i] == row && *cell[i]);
+    return given;
+}
+
+static void drop(struct wf_args *line, const char *name)
+{
+    line->given[wf_head_option(line->option, name)] = false;
+}
+
 /* Options of the command line that act in a row: those that act beside others alone, where one of these is
- * given. That a stand has its load of gusts is said where a row is read as one. */
+ * given; the wind in one way, that of a cell before that of the line. That a stand has its load of gusts is
+ * said where a row is read as one. */
 static struct wf_args acting(const struct wf_args *line, const size_t *option, const char *const *cell,
                              size_t n)
 {
+    static const char *const of_design[] = { "--design", "--basic-wind", "--basic-pressure", "--region",
+                                             "--return-period" };
     struct wf_args out = *line;
+    const struct wf_args cells = { .option = line->option }; /* nothing given by the line */
+    if (is_given(&cells, "--design", option, cell, n)) drop(&out, "--wind");
+    for (size_t k = 0; k < WF_COUNT(of_design) && is_given(&cells, "--wind", option, cell, n); k++)
+        drop(&out, of_design[k]);
     for (const struct wf_assess_beside *b = wf_assess_besides; b->option; b++) {
         bool acts = false;
-        for (size_t k = 0; k < WF_COUNT(b->other) && b->other[k]; k++) {
-            size_t other = wf_head_option(line->option, b->other[k]);
-            acts = acts || line->given[other];
-            for (size_t i = 0; i < n; i++) acts = acts || (option[i] == other && *cell[i]);
-        }
-        if (!acts) out.given[wf_head_option(line->option, b->option)] = false;
+        for (size_t k = 0; k < WF_COUNT(b->other) && b->other[k]; k++)
+            acts = acts || is_given(line, b->other[k], option, cell, n);
+        if (!acts) drop(&out, b->option);
     }
-    if (lacks_spacing(line)) out.given[wf_head_option(line->option, "--peak")] = false;
+    if (lacks_spacing(line)) drop(&out, "--peak");
     return out;
 }
 
