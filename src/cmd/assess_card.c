@@ -102,18 +102,13 @@ static bool width_wrong(const void *options, const struct wf_option *row, char *
     return wrong_value(options, WF_CARD_WIDTH, why);
 }
 
-/* The card or table that is not there; NULL: none. What it would say is not asked for. */
-static const char *absent(const struct wf_args *a)
-{
-    return a->n && *a->operand[0] && !wf_file_is_there(a->operand[0]) ? a->operand[0] : NULL;
-}
-
 /* "--girth 250 cm" without quotes: the unit is no table. */
 static bool operand_wrong(const void *options, const struct wf_option *row, char *why)
 {
-    const char *operand = absent(options);
+    const struct wf_args *a = options;
+    const char *operand = a->n ? a->operand[0] : "";
     (void)row;
-    if (!operand) return false;
+    if (!*operand || wf_file_is_there(operand)) return false;
     if (strpbrk(operand, "./"))
         return wf_option_unused(true, why, "%.200s: No such file or directory", operand);
     return wf_option_unused(
@@ -151,7 +146,8 @@ static bool wind_wrong(const void *options, const struct wf_option *row, char *w
 {
     const struct wf_assess_options *o = options;
     (void)row;
-    return wf_option_unused(!o->run.wind.n && !o->run.profile.design.code && !absent(&o->run.args), why,
+    bool needed = !o->run.args.n; /* of a table: asked of its columns, and of each row */
+    return wf_option_unused(needed && !WF_GIVEN(&o->run, wind) && !o->run.profile.design.code, why,
                             "is needed, or --wind: the wind in which the tree is assessed, for example "
                             "--design en1991 --basic-wind 25");
 }
@@ -176,6 +172,28 @@ static bool towards_unused(const void *options, const struct wf_option *row, cha
     bool said =
         o->lean > 0 || wf_option_given(&o->run.args, offsetof(struct wf_assess_options, lean)); /* 0 */
     return card_unused(options, row, why) || wf_option_unused(!said, why, "without --lean");
+}
+
+const struct wf_assess_beside wf_assess_besides[] = {
+    { "--winter-wind", { "--snow", "--ice" }, "without --snow and --ice" },
+    { "--snow-density", { "--snow" }, "without --snow" },
+    { 0 },
+};
+
+static bool is_option(const struct wf_args *a, size_t k, const char *name)
+{
+    return name && a->given[k] && !strcmp(a->option[k].name, name);
+}
+
+static bool beside_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_args *a = options;
+    const struct wf_assess_beside *b = wf_assess_besides;
+    bool acts = a->n > 0; /* of a table: asked when its columns are known */
+    while (strcmp(b->option, row->name) != 0) b++;
+    for (size_t k = 0; a->option[k].name; k++)
+        acts = acts || is_option(a, k, b->other[0]) || is_option(a, k, b->other[1]);
+    return wf_option_unused(!acts, why, "%s", b->without);
 }
 
 static bool change_unused(const void *options, const struct wf_option *row, char *why)
@@ -299,6 +317,8 @@ const struct wf_option *wf_assess_options_of(struct wf_assess_options *o)
         if (!strcmp(row->name, "--wind")) rows[n].wrong = calm_wrong;
         if (wf_scenario_changes(row) || !strcmp(row->name, "--scenarios")) rows[n].unused = change_unused;
         if (!strcmp(row->name, "--remove")) rows[n].unused = remove_unused;
+        for (const struct wf_assess_beside *b = wf_assess_besides; b->option; b++)
+            if (!strcmp(row->name, b->option)) rows[n].unused = beside_unused;
         n++;
     }
     o->run.branches_from = 0.05;

@@ -22,6 +22,13 @@ struct wf_assess_options {
     struct wf_assess_often often; /* of `extremes`; no option */
 };
 
+/* Options that act only beside one of others. Of a table the other may be a column. */
+struct wf_assess_beside {
+    const char *option, *other[2]; /* NULL: no more */
+    const char *without;           /* the words behind "has no effect" */
+};
+extern const struct wf_assess_beside wf_assess_besides[]; /* ends at option == NULL */
+
 /* Set the options that are not rows of assess, and give its rows; they end at name == NULL. */
 const struct wf_option *wf_assess_options_of(struct wf_assess_options *o);
 

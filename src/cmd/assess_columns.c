@@ -42,9 +42,7 @@ static const struct known {
       "largeur_couronne diametre_couronne "
       "冠幅 树冠宽 树冠直径 冠径",
       false },
-    { "--crown-depth",
-      "crown_length crown_height canopy_depth kronenlange kronenlaenge kronenhohe kronenhoehe "
-      "longueur_houppier hauteur_houppier 冠长 冠高 冠深",
+    { "--crown-depth", "crown_length canopy_depth kronenlange kronenlaenge longueur_houppier 冠长 冠深",
       false },
     { "--crown-base",
       "crown_base_height height_crown_base height_to_crown_base kronenansatz kronenansatzhohe "
@@ -85,8 +83,29 @@ static const struct known {
       false },
 };
 
-/* Heads that may be one of several options, or none of them. */
-static const char ambiguous[] = "abstand distance distanz entfernung ecart 距离 间距";
+/* Heads that may be one of several options, or none of them, with or without a unit of the option's. */
+static const struct ambiguous {
+    const char *option, *names, *format;
+} ambiguous[] = {
+    { "--spacing", "abstand distance distanz entfernung ecart 距离 间距",
+      "%s:%zu: error: column '%.60s' may be the spacing of a stand, the distance to its edge or "
+      "neither; name it spacing or edge_distance, or by what it is, for example '%.60s road'" },
+    { "--height",
+      "crown_height height_crown canopy_height kronenhohe kronenhoehe hohe_krone hoehe_krone "
+      "hauteur_houppier "
+      "hauteur_couronne 冠高 树冠高 树冠高度 冠层高度",
+      "%s:%zu: error: column '%.60s' may be the height of the crown's lower edge, of its top, or its depth; "
+      "name it crown_base or crown_depth, or by what it is, for example '%.60s top'" },
+    { "--azimuth", "azimuth azimut 方位角",
+      "%s:%zu: error: column '%.60s' may be the direction of the wind, of a lean or of the tree from a "
+      "point; "
+      "name it lean_towards, or by what it is, for example '%.60s from plot'; winds from one direction alone "
+      "are --azimuth, for all rows" },
+};
+
+/* Heads of lists of trees that are also options whose plain numbers mean something else there: a share of
+ * leaves, the rain of a year, a kind of bark. They are read with a unit. */
+static const char with_unit[] = "crown_density rain roughness";
 
 /* Columns that say which tree a row is. */
 static const char numbers[] =
@@ -394,9 +413,11 @@ static bool by_own_name(struct looked *l, const struct wf_assess_options *line, 
         if ((!refused && !wf_scenario_takes(&rows[k])) || !is_head(l, &own, &rows[k], &out->factor)) continue;
         out->option = k;
         out->use = refused ? WF_HEAD_REFUSED : WF_HEAD_READ;
+        out->own = !refused;
         bool place = among(everyday, l->key), words = rows[k].kind == WF_OPTION_CHOICE;
         if (place && words) out->use = WF_HEAD_WORDS;
         if (place && !words && !(code && !strcmp(code, "asnzs1170"))) out->use = WF_HEAD_KEPT;
+        if (among(with_unit, l->key)) out->use = WF_HEAD_NEAR;
         return true;
     }
     return false;
@@ -422,7 +443,20 @@ static void recognise(struct looked *l, const struct wf_assess_options *line, st
             out->use = WF_HEAD_NEAR, out->option = wf_head_option(rows, known[k].option);
 }
 
-static enum wf_status check_head(const struct wf_heads *h, size_t i, const char *key, struct wf_err *e)
+/* Fail where the head may be several options. */
+static enum wf_status check_ambiguous(const struct wf_heads *h, size_t i, struct looked *l, struct wf_err *e)
+{
+    const struct wf_rows *r = h->rows;
+    double factor;
+    for (size_t k = 0; k < WF_COUNT(ambiguous); k++) {
+        const struct known names = { "--", ambiguous[k].names, false };
+        if (is_head(l, &names, &h->option[wf_head_option(h->option, ambiguous[k].option)], &factor))
+            return wf_fail(e, WF_EINPUT, ambiguous[k].format, r->file, r->line, r->name[i], r->name[i]);
+    }
+    return WF_OK;
+}
+
+static enum wf_status check_head(const struct wf_heads *h, size_t i, struct wf_err *e)
 {
     const struct wf_rows *r = h->rows;
     if (!strncmp(r->name[i], "wf_", 3))
@@ -431,12 +465,6 @@ static enum wf_status check_head(const struct wf_heads *h, size_t i, const char 
             "%s:%zu: error: column '%.60s' has a name that this command adds; take out the columns of an "
             "earlier assessment",
             r->file, r->line, r->name[i]);
-    if (among(ambiguous, key))
-        return wf_fail(
-            e, WF_EINPUT,
-            "%s:%zu: error: column '%.60s' may be the spacing of a stand, the distance to its edge or "
-            "neither; name it spacing or edge_distance, or by what it is, for example '%.60s road'",
-            r->file, r->line, r->name[i], r->name[i]);
     for (size_t j = 0; j < i; j++)
         if (h->head[i].use >= WF_HEAD_READ && h->head[j].use >= WF_HEAD_READ &&
             h->head[i].option == h->head[j].option)
@@ -470,7 +498,8 @@ enum wf_status wf_heads_read(const struct wf_rows *r, const struct wf_assess_opt
         if (!l.key) return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
         recognise(&l, line, &out->head[k]);
         out->head[k].number = among(numbers, l.key);
-        s = check_head(out, k, l.key, e);
+        s = check_ambiguous(out, k, &l, e);
+        if (!s) s = check_head(out, k, e);
         const char *name = out->head[k].use == WF_HEAD_READ ? rows[out->head[k].option].name : "";
         if (!strcmp(name, "--scans")) out->scan = k;
         if (!strcmp(name, "--spacing")) out->spacing = k;
@@ -489,6 +518,26 @@ static bool is_there(const struct wf_heads *h, const struct wf_args *line, const
     for (size_t k = 0; k < h->rows->columns; k++)
         there = there || (h->head[k].use == WF_HEAD_READ && h->head[k].option == row);
     return there;
+}
+
+/* Neither a wind, nor what an option of the command line acts beside. */
+static enum wf_status check_beside(const struct wf_heads *h, const struct wf_args *line, struct wf_err *e)
+{
+    if (!is_there(h, line, "--wind") && !is_there(h, line, "--design"))
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: no column, and no option, gives the wind: --wind 25 or --design en1991 "
+            "--basic-wind 25 for all rows, or a column wind_m_s, or columns design and basic_wind",
+            h->rows->file, h->rows->line);
+    for (const struct wf_assess_beside *b = wf_assess_besides; b->option; b++) {
+        bool acts = !line->given[wf_head_option(h->option, b->option)];
+        for (size_t k = 0; k < WF_COUNT(b->other) && b->other[k]; k++)
+            acts = acts || is_there(h, line, b->other[k]);
+        if (!acts)
+            return wf_fail(e, WF_EUSAGE, "%s: has no effect %s, and no column is that", b->option,
+                           b->without);
+    }
+    return WF_OK;
 }
 
 enum wf_status wf_heads_check(const struct wf_heads *h, const struct wf_args *line, struct wf_err *e)
@@ -514,7 +563,7 @@ enum wf_status wf_heads_check(const struct wf_heads *h, const struct wf_args *li
         size_t n = strlen(missing);
         if (!there) (void)snprintf(missing + n, sizeof missing - n, "%s%s", n ? ", " : "", needed[k][0] + 2);
     }
-    if (!*missing) return WF_OK;
+    if (!*missing) return check_beside(h, line, e);
     return wf_fail(e, WF_EINPUT,
                    "%s:%zu: error: no column, and no option, gives %s: no row could be assessed",
                    h->rows->file, h->rows->line, missing);

@@ -18,6 +18,7 @@ struct wf_head {
     size_t option; /* row of the command's options; of WF_HEAD_KEPT: none */
     double factor; /* to SI; NAN: the option's own unit */
     bool stand;    /* of a tree in a stand */
+    bool own;      /* read by the option's own name, which has no others */
     bool number;   /* says which tree a row is; only kept, it stands on the page of the tree */
 };
 /* Column of the files of trees, or of the spacing; none. */

@@ -6,13 +6,15 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
+#include "cmd/assess_cell.h"
 #include "cmd/assess_columns.h"
 #include "cmd/commands.h"
-#include "cmd/scenarios.h"
+#include "data/cavity.h"
 #include "data/species.h"
 #include "data/species_names.h"
 #include "load/drag.h"
 #include "out/verdict_part.h"
+#include "study/interval.h"
 #include "study/verdict.h"
 #include <ctype.h>
 #include <errno.h>
@@ -309,99 +311,101 @@ void wf_tree_columns_close(struct wf_tree_columns *c)
 
 void wf_tree_columns_say(const struct wf_tree_columns *c, struct wf_arena *a) { wf_heads_say(&c->heads, a); }
 
+/* Is it the load of gusts in a stand, without its spacing? */
+static bool lacks_spacing(const struct wf_args *line)
+{
+    size_t peak = wf_head_option(line->option, "--peak");
+    return line->given[peak] && line->text[peak] && !strcmp(line->text[peak], "gales") &&
+           !line->given[wf_head_option(line->option, "--spacing")];
+}
+
+/* Mistakes of options that are said of every row, once. A column by an option's own name may be what an
+ * option needs, unless it stands apart: then rows say theirs. */
+static enum wf_status check_line(const struct wf_tree_columns *c, struct wf_err *e)
+{
+    const struct wf_analyze_options *o = &c->line->run;
+    struct wf_arena a = { 0 };
+    struct wf_diag d = { .arena = &a };
+    struct wf_analyze_request q;
+    struct wf_cavity *cavity;
+    size_t cavities;
+    const struct wf_interval_request samples = { o->samples, o->seed, o->threads };
+    static const char apart[] = "wind guy cable rod altitude temperature winter-wind snow-density";
+    bool own = false;
+    enum wf_status s = wf_interval_check(&samples, e);
+    for (size_t k = 0; k < c->rows->columns; k++) {
+        const struct wf_head *h = &c->heads.head[k];
+        own = own || (h->own && !wf_text_among(apart, o->args.option[h->option].name + 2));
+    }
+    if (!s && lacks_spacing(&o->args) && c->heads.spacing == WF_HEAD_NONE)
+        s = wf_fail(e, WF_EUSAGE,
+                    "--peak gales needs the spacing of the stand: --spacing, or a column spacing");
+    if (!s && o->tree.cavities) s = wf_cavities_asked(o->tree.cavities, &a, &cavity, &cavities, &d, e);
+    if (!s && !own) s = wf_analyze_request_read(o, &a, &d, &q, e);
+    if (s) wf_print_findings(&d, o->args.quiet);
+    wf_arena_free(&a);
+    return s;
+}
+
 enum wf_status wf_tree_columns_check(const struct wf_tree_columns *c, struct wf_err *e)
 {
-    return wf_heads_check(&c->heads, &c->of_rows, e);
+    enum wf_status s = wf_heads_check(&c->heads, &c->of_rows, e);
+    return s ? s : check_line(c, e);
 }
 
 /* ---- Reading a row ---- */
 
-/* Does a cell say that there is nothing? "none" is a word of --bark; "no" of what a tree may have or not. */
-static bool is_nothing(const char *option, const char *cell)
+/* Is the option given by the command line, or by a cell of the row? */
+static bool is_given(const struct wf_args *line, const char *name, const size_t *option,
+                     const char *const *cell, size_t n)
 {
-    static const char *const of_things[] = { "--cavity", "--guy", "--cable", "--rod" };
-    bool thing = false;
-    for (size_t k = 0; k < WF_COUNT(of_things); k++) thing = thing || !strcmp(option, of_things[k]);
-    if (thing && wf_text_among("no nein non keine aucune 无 否 没有", cell)) return true;
-    return wf_csv_missing(cell, strlen(cell)) && !(!strcmp(option, "--bark") && wf_text_among("none", cell));
+    size_t row = wf_head_option(line->option, name);
+    bool given = line->given[row];
+    for (size_t i = 0; i < n; i++) given = given || (option[i] == row && *cell[i]);
+    return given;
 }
 
-static bool is_word(const struct wf_option *o, const char *cell)
+static void drop(struct wf_args *line, const char *name)
 {
-    char list[512];
-    const char *word[WF_OPTION_CHOICES];
-    for (size_t n = wf_option_choices(o, word, list, sizeof list); n-- > 0;)
-        if (!strcmp(word[n], cell)) return true;
-    return false;
+    line->given[wf_head_option(line->option, name)] = false;
 }
 
-/* "1,3m:80mm" of a table whose cells are not apart by commas: a decimal comma, also of a wind. */
-static const char *with_points(const struct wf_tree_columns *c, const struct wf_option *o, const char *cell,
-                               struct wf_arena *a)
+/* Options of the command line that act in a row: those that act beside others alone, where one of these is
+ * given; the wind in one way, that of a cell before that of the line. That a stand has its load of gusts is
+ * said where a row is read as one. */
+static struct wf_args acting(const struct wf_args *line, const size_t *option, const char *const *cell,
+                             size_t n)
 {
-    static const char *const composed[] = { "--cavity", "--guy", "--cable", "--rod", "--bark", "--wind" };
-    bool is = false;
-    char *text = wf_arena_text(a, cell);
-    for (size_t k = 0; k < WF_COUNT(composed); k++) is = is || !strcmp(o->name, composed[k]);
-    for (char *p = text; p && is && c->rows->separator != ',' && (p = strchr(p, ',')); p++)
-        if (p > text && isdigit((unsigned char)p[-1]) && isdigit((unsigned char)p[1])) *p = '.';
+    static const char *const of_design[] = { "--design", "--basic-wind", "--basic-pressure", "--region",
+                                             "--return-period" };
+    struct wf_args out = *line;
+    const struct wf_args cells = { .option = line->option }; /* nothing given by the line */
+    if (is_given(&cells, "--design", option, cell, n)) drop(&out, "--wind");
+    for (size_t k = 0; k < WF_COUNT(of_design) && is_given(&cells, "--wind", option, cell, n); k++)
+        drop(&out, of_design[k]);
+    for (const struct wf_assess_beside *b = wf_assess_besides; b->option; b++) {
+        bool acts = false;
+        for (size_t k = 0; k < WF_COUNT(b->other) && b->other[k]; k++)
+            acts = acts || is_given(line, b->other[k], option, cell, n);
+        if (!acts) drop(&out, b->option);
+    }
+    if (lacks_spacing(line)) drop(&out, "--peak");
+    return out;
+}
+
+/* Is every tree one of a stand, by an option that no column repeats? */
+static bool stands_by_line(const struct wf_tree_columns *c)
+{
+    return c->heads.spacing == WF_HEAD_NONE && WF_GIVEN(&c->line->run, peak.spacing);
+}
+
+/* What is said of a name, without files: rows open none. */
+static const char *without_files(char *text)
+{
+    static const char files[] = "there is no such file, and ";
+    char *at = strstr(text, files);
+    if (at) memmove(at, at + strlen(files), strlen(at + strlen(files)) + 1);
     return text;
-}
-
-/* A cell as an option takes it: a plain number in SI where the column has a unit, with a decimal point. NULL:
- * no memory. */
-static const char *value_of(const struct wf_tree_columns *c, size_t column, const char *cell,
-                            struct wf_arena *a)
-{
-    const struct wf_head *head = &c->heads.head[column];
-    const struct wf_option *o = &c->line->run.args.option[head->option];
-    bool speeds = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
-    double v;
-    if (is_nothing(o->name, cell) || (head->use == WF_HEAD_WORDS && !is_word(o, cell))) return "";
-    if (o->kind != WF_OPTION_NUMBER && !(speeds && isfinite(head->factor))) return with_points(c, o, cell, a);
-    const char *end = cell + strlen(cell), *stop = wf_number_read(cell, end, '.', &v);
-    if (c->rows->separator != ',' && stop && *stop == ',') stop = wf_number_read(cell, end, ',', &v);
-    if (!stop) return wf_arena_text(a, cell);
-    if (*stop) return wf_arena_print(a, "%.17g%s", v, stop);
-    if (isnan(head->factor)) return wf_arena_print(a, "%.17g", v);
-    return wf_arena_print(a, "%.17g %s", v * head->factor, wf_dimension_row(o->dimension)->si);
-}
-
-/* Does a cell name a file? A table may come from anywhere: its cells open none. */
-static bool names_file(const char *option, const char *cell)
-{
-    const char *colon = strchr(cell, ':');
-    bool cavity = !strcmp(option, "--cavity");
-    if (is_nothing(option, cell) || (!cavity && strcmp(option, "--species") != 0)) return false;
-    if (cavity && !(colon && isdigit((unsigned char)colon[1]))) return true;
-    return strchr(cell, '/') || strstr(cell, ".csv") || strstr(cell, ".yaml");
-}
-
-/* What is wrong with a cell by its column alone; NULL: nothing. */
-static const char *cell_fault(const struct wf_tree_columns *c, const struct wf_rows *r, size_t k,
-                              struct wf_arena *a)
-{
-    const struct wf_head *head = &c->heads.head[k];
-    const char *cell = r->cell[k], *option = c->line->run.args.option[head->option].name;
-    bool card =
-        wf_scenario_changes(&c->line->run.args.option[head->option]) || !strcmp(option, "--scenarios");
-    if (head->use == WF_HEAD_REFUSED && !wf_csv_missing(cell, strlen(cell)))
-        return wf_arena_print(
-            a,
-            "line %zu: column '%.60s' with '%.60s' is not read from a table, and would change "
-            "the answer: %s%s",
-            r->line, r->name[k], cell, card ? "assess this tree by a card" : option,
-            card ? "" : " is given for all rows");
-    if (head->use != WF_HEAD_REFUSED && !strcmp(option, "--cavity") && !strpbrk(cell, ":./") &&
-        !is_nothing(option, cell))
-        return wf_arena_print(
-            a,
-            "%s: '%.60s' is no cavity, which is a height and the sound wall there, for example "
-            "1.3m:80mm",
-            r->name[k], cell);
-    if (head->use != WF_HEAD_REFUSED && names_file(option, cell))
-        return wf_arena_print(a, "%s: '%.60s' names a file; cells of a table open none", r->name[k], cell);
-    return NULL;
 }
 
 /* Options of the row, without or with those of a stand. */
@@ -415,12 +419,13 @@ static enum wf_status read_options(const struct wf_tree_columns *c, const struct
     struct wf_sink sink;
     for (size_t k = 0; k < r->cells && k < r->columns; k++) {
         const struct wf_head *head = &c->heads.head[k];
-        if (head->use < WF_HEAD_READ || k == c->heads.scan || (head->stand && !stand)) continue;
-        const char *fault = cell_fault(c, r, k, &row->arena);
+        if (head->use < WF_HEAD_READ || k == c->heads.scan) continue;
+        if (head->stand && !stand && !stands_by_line(c)) continue;
+        const char *fault = wf_cell_fault(&c->heads, r, k, &row->arena);
         if (!row->reason) row->reason = fault;
         if (head->use == WF_HEAD_REFUSED) continue;
         option[n] = head->option;
-        if (!(cell[n++] = value_of(c, k, r->cell[k], &row->arena)))
+        if (!(cell[n++] = wf_cell_value(&c->heads, k, r->cell[k], &row->arena)))
             return wf_fail(e, WF_ENOMEM, "not enough memory for a row");
         peak_given = peak_given || (head->option == peak && *cell[n - 1]);
     }
@@ -428,9 +433,10 @@ static enum wf_status read_options(const struct wf_tree_columns *c, const struct
     *out = *c->line; /* what is no option */
     enum wf_status s = take_scan(c, r, row, &out->scan, e);
     if (s) return s;
-    bool right = wf_args_read_cells(&c->of_rows, "assess", option, cell, n, c->units, &row->arena,
-                                    &out->run.args, &sink);
-    if (!right && !row->reason) row->reason = wf_arena_text(&row->arena, sink.text);
+    const struct wf_args line = acting(&c->of_rows, option, cell, n);
+    bool right =
+        wf_args_read_cells(&line, "assess", option, cell, n, c->units, &row->arena, &out->run.args, &sink);
+    if (!right && !row->reason) row->reason = wf_arena_text(&row->arena, without_files(sink.text));
     if (!WF_GIVEN(&c->line->run, samples)) out->run.samples = 0;
     out->run.threads = 1;
     out->reports = c->line->reports;
@@ -457,7 +463,8 @@ static const struct wf_species *species_of(struct wf_tree_columns *c, const char
         c->kept++;
         return &k->species;
     }
-    row->reason = wf_arena_print(&row->arena, "species: %s", d.first ? d.first->text : why.text);
+    row->reason =
+        wf_arena_print(&row->arena, "species: %s", d.first ? d.first->text : without_files(why.text));
     return NULL;
 }
 
@@ -483,6 +490,21 @@ static bool any_stand_cell(const struct wf_tree_columns *c, const struct wf_rows
 {
     size_t k = c->heads.spacing;
     return k != WF_HEAD_NONE && k < r->cells && !wf_csv_missing(r->cell[k], strlen(r->cell[k]));
+}
+
+/* Which cells of a stand are not used, because the row has no spacing. NULL: none. */
+static const char *unused_stand(const struct wf_tree_columns *c, const struct wf_rows *r, struct wf_arena *a)
+{
+    const char *text = NULL;
+    if (any_stand_cell(c, r) || stands_by_line(c)) return NULL;
+    for (size_t k = 0; k < r->cells && k < r->columns; k++)
+        if (c->heads.head[k].stand && !wf_csv_missing(r->cell[k], strlen(r->cell[k])))
+            text = wf_arena_print(a, "%s%s%.60s", text ? text : "", text ? ", " : "", r->name[k]);
+    return text ? wf_arena_print(a,
+                                 "%s: not used, because the row has no spacing; assessed as a tree that "
+                                 "stands alone",
+                                 text)
+                : NULL;
 }
 
 /* The row as it is written: as it is, with the cells it lacks; or rebuilt where it is not in the columns of
@@ -535,12 +557,25 @@ static bool is_empty(const struct wf_tree_columns *c, const struct wf_rows *r)
     return true;
 }
 
+/* Is the row the header again, as behind the end of a table that another was put to? */
+static bool is_header(const struct wf_tree_columns *c, const struct wf_rows *r)
+{
+    size_t same = 0;
+    for (size_t k = 0; k < r->columns; k++) {
+        if (c->heads.head[k].use < WF_HEAD_READ) continue;
+        if (k >= r->cells || strcmp(r->cell[k], r->name[k]) != 0) return false;
+        same++;
+    }
+    return same > 0;
+}
+
 static const char *row_fault(const struct wf_tree_columns *c, const struct wf_rows *r, struct wf_arena *a)
 {
     const char *rest = "";
     if (r->wrong)
         return wf_arena_print(a, "line %zu: %s; the row stands in the first cell", r->line, r->wrong);
     if (is_empty(c, r)) return wf_arena_print(a, "line %zu: the row is empty", r->line);
+    if (is_header(c, r)) return wf_arena_print(a, "line %zu: the row is the header again", r->line);
     if (r->cells == r->columns) return NULL;
     for (size_t k = r->columns; k < r->cells && rest; k++)
         rest = wf_arena_print(a, "%s%s'%s'", rest, *rest ? ", " : ": ", r->cell[k]);
@@ -577,6 +612,7 @@ enum wf_status wf_tree_row_read(struct wf_tree_columns *c, const struct wf_rows 
         if (!s && !out->reason) prepare(c, out, &out->stand);
         out->in_stand = true;
     }
+    out->note = unused_stand(c, r, &out->arena);
     if (!s && !out->reason) out->state = WF_ROW_READ;
     return s;
 }
@@ -613,4 +649,6 @@ void wf_tree_row_assess(struct wf_tree_row *row)
         take_reason(row, &why);
     else if (row->single.options.scan)
         note_scan(row);
+    if (!s && row->note)
+        row->reason = row->reason ? wf_arena_print(&row->arena, "%s; %s", row->reason, row->note) : row->note;
 }

@@ -21,6 +21,7 @@ struct wf_tree_row {
     enum wf_row_state state;
     const char *text;   /* the row as it is to be written, in the columns of the table */
     const char *reason; /* in UTF-8; NULL: none */
+    const char *note;   /* what is to be said of a row that is assessed; NULL: nothing */
     bool cp1252;        /* it is written in Windows-1252, as the row is */
     size_t line;        /* of the table, 1-based */
     const char *number; /* of the tree, as its cell has it; NULL: there is none */
@@ -37,7 +38,7 @@ void wf_tree_columns_close(struct wf_tree_columns *c);
 /* Say which columns were recognised. */
 void wf_tree_columns_say(const struct wf_tree_columns *c, struct wf_arena *a);
 /* Can any row be assessed? Errors: WF_EINPUT where no column was recognised, or neither a column nor an
- * option says something that every tree needs. */
+ * option says something that every tree needs; mistakes of options that are said of every row. */
 enum wf_status wf_tree_columns_check(const struct wf_tree_columns *c, struct wf_err *e);
 
 /* Read the current row of the table. Not from two threads at once. Returned: *out with state and reason; its

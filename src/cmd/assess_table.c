@@ -129,18 +129,25 @@ static enum wf_status write_note(const struct table *t, const char *note, struct
     return wf_file_commit(&f, e);
 }
 
+/* A run that was ended before the head was written leaves an empty file. */
+static bool holds_anything(const char *path)
+{
+    struct stat there;
+    return !stat(path, &there) && there.st_size > 0;
+}
+
 static enum wf_status begin_table(struct table *t, const char *note, struct wf_err *e)
 {
     errno = 0;
     if (go_on(t, note)) return WF_OK;
-    if (wf_file_is_there(t->partial) && wf_file_is_there(t->note) && !t->line->run.args.quiet)
+    if (holds_anything(t->partial) && wf_file_is_there(t->note) && !t->line->run.args.quiet)
         wf_show(stderr, "%s is of another command or table; it is begun anew\n", t->partial);
     if (!(t->to = fopen(t->partial, "wb"))) return out_error(t, e);
     enum wf_status s = write_note(t, note, e);
     if (s) return s;
     if (t->rows.marked) fputs("\xEF\xBB\xBF", t->to); /* by which spreadsheets know UTF-8 */
     wf_tree_header_write(t->columns, t->before, t->to);
-    return WF_OK;
+    return fflush(t->to) ? out_error(t, e) : WF_OK;
 }
 
 /* ---- Rows ---- */

@@ -219,8 +219,7 @@ static const struct {
     { "mean:", "10-min means", WF_MEAN_TIME },
 };
 
-/* The word at the start of a text; 0 letters: none. */
-static size_t time_word(const char *text, size_t *which)
+size_t wf_wind_time_word(const char *text, size_t *which)
 {
     for (*which = 0; *which < WF_COUNT(times); ++*which)
         if (strncmp(text, times[*which].word, strlen(times[*which].word)) == 0)
@@ -237,7 +236,7 @@ static void read_list(struct winds *w, char *text, const char *unit, const char 
     for (char *rest = text, *item; w->n <= SPEEDS_MAX && (item = wf_list_item(&rest));) {
         if (!*item) {
             empty = true;
-        } else if (time_word(item, &word)) {
+        } else if (wf_wind_time_word(item, &word)) {
             winds_mistake(w, "'%.60s': the word stands once, before the first speed, and holds for all",
                           item);
         } else if (wf_wind_scale_is(item)) {
@@ -273,7 +272,7 @@ static void keep_list(const struct winds *w, struct wf_speeds *out)
 static void take_time(struct winds *w, const char **text)
 {
     w->time = w->beside->time;
-    for (size_t i, n; (n = time_word(*text, &i)); *text += n) {
+    for (size_t i, n; (n = wf_wind_time_word(*text, &i)); *text += n) {
         if (w->beside->time != WF_MEAN_TIME)
             winds_mistake(w, "'%.100s': the averaging time is given twice (--averaging-time)", *text);
         if (w->worded) winds_mistake(w, "'%.100s': one word of an averaging time is taken", *text);

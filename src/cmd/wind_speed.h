@@ -40,4 +40,7 @@ bool wf_averaging_row_unused(const void *options, const struct wf_option *o, cha
  * Returned: the members of the winds [m/s], as 10-min means, and in args->winds_said what was converted and
  * by which law. Mistakes are reported and counted. */
 void wf_winds_read(struct wf_reading *r);
+/* The word of an averaging time at the start of a text, "gust:", with its colon. Returned: its letters, 0:
+ * none; *which of them. */
+size_t wf_wind_time_word(const char *text, size_t *which);
 #endif
