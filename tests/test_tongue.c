@@ -139,7 +139,7 @@ static void mistakes(void **state)
           "said; grep -c . "
           "$T/said; cat $T/said",
           CODE_OK,
-          { " 0 missing\n48\n", "未知键“heigt”；是否指“height”？",
+          { " 0 missing\n47\n", "未知键“heigt”；是否指“height”？",
             "“4 lb”：“lb”不是长度的单位；可用：m, cm, mm",
             "“minera”不属于 mineral, gleyed, peaty, peat, unknown；是否指“mineral”？",
             "方案“thin=200%”：thin: 200% 超出 0..0.9" } },
