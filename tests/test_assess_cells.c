@@ -44,6 +44,18 @@ static void own_winds(void **state)
           CODE_OK,
           { "0\nwf_status", "assessed,,incomplete,2.1405\nwf_status", "assessed,,incomplete,2.1405\n" } },
         { TREE_OF("\noak,20,250,14,4") GO "--lang zh", CODE_INPUT, { "没有列也没有选项给出风" } },
+        /* classes and grades are not taken for m/s */
+        { TREE_OF(",wind\noak,20,250,14,4,3\noak,20,250,14,4,12\noak,20,250,14,4,12 m/s\noak,20,250,14,4,13")
+              GO "--wind 20; cut -d, -f7-9 $T/o.csv; " TREE_OF(",wind_m_s\noak,20,250,14,4,12") GO
+          "--wind 20; cut -d, -f7-9 "
+          "$T/o.csv",
+          CODE_OK,
+          { "\nmistake,\"wind: '3' may be a class or a grade of Beaufort; write '3 m/s' or 'beaufort:3', or "
+            "name the column "
+            "wind_m_s\"",
+            "\nmistake,\"wind: '12' may be",
+            "\nassessed,,incomplete\nassessed,,incomplete\nwf_status,wf_reason,"
+            "wf_verdict\nassessed,,incomplete\n" } },
         /* a cell's wind before that of the line, in either way of giving it; what is no wind is said with its
            bytes */
         { TREE_OF(",wind\noak,20,250,14,4,20\noak,20,250,14,4,") GO

@@ -8,6 +8,7 @@
 #include "wind/climate.h"
 #include <ctype.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Does a cell say that there is nothing? "none" is a word of --bark; "no" of what a tree may have or not. */
@@ -115,6 +116,14 @@ static bool names_file(const char *option, const char *cell)
     return strchr(cell, '/') || strstr(cell, ".csv") || strstr(cell, ".yaml");
 }
 
+/* May a plain number be a grade of Beaufort, or a class of exposure? */
+static bool may_be_class(const struct wf_head *head, const struct wf_option *o, const char *cell)
+{
+    const long highest = 12;
+    return o->kind == WF_OPTION_SPEEDS && isnan(head->factor) && *cell && !cell[strspn(cell, "0123456789")] &&
+           strtol(cell, NULL, 10) <= highest;
+}
+
 /* What is wrong with a cell of winds; NULL: nothing. */
 static const char *winds_fault(const struct wf_heads *h, const struct wf_rows *r, size_t k,
                                struct wf_arena *a)
@@ -127,6 +136,11 @@ static const char *winds_fault(const struct wf_heads *h, const struct wf_rows *r
                               "%s: '%.60s' may be a decimal comma or a list; write one wind with a point, as "
                               "15.25, and several winds with a blank behind each comma, as 15, 25",
                               r->name[k], cell);
+    if (may_be_class(head, o, cell))
+        return wf_arena_print(a,
+                              "%s: '%.60s' may be a class or a grade of Beaufort; write '%.60s m/s' or "
+                              "'beaufort:%.60s', or name the column wind_m_s",
+                              r->name[k], cell, cell, cell);
     if (lacks_unit(head, o, cell))
         return wf_arena_print(
             a,
