@@ -204,13 +204,19 @@ static bool mat_count(const struct mat_view *dims, size_t *out)
     return *out <= INFLATED_MAX;
 }
 
-/* Functions are not looked at either, but libmatio takes memory for as many as the dimensions say. */
-static bool mat_function(struct mat_view v)
+/* Functions and objects of classes are not looked at, but libmatio takes memory for names of any length, and
+ * for as many functions as the dimensions say. */
+static bool mat_unknown(struct mat_view v, bool function)
 {
-    struct mat_element dims;
-    size_t n;
-    if (!mat_next_of(&v, MAT_T_INT32, &dims)) return true;
-    return mat_count(&dims.data, &n) && n <= mat_left(&v) / MAT_TAG;
+    struct mat_element x;
+    struct mat_view dims = v;
+    size_t n = 0;
+    if (function && mat_next_of(&dims, MAT_T_INT32, &x) &&
+        !(mat_count(&x.data, &n) && n <= mat_left(&dims) / MAT_TAG))
+        return false;
+    while (v.at < v.end)
+        if (!mat_next(&v, &x)) return false;
+    return true;
 }
 
 /* An array: flags, dimensions, name, and what its class demands. */
@@ -221,8 +227,7 @@ static bool mat_matrix(struct mat_view v, int depth)
     if (depth > DEEPEST || !mat_next_of(&v, MAT_T_UINT32, &flags) || mat_left(&flags.data) != 8) return false;
     uint32_t word = mat_number(flags.data.at, v.small_end), class = word & 0xFF;
     bool complex = word & 0x800, good;
-    if (class == MAT_C_OPAQUE) return true; /* never looked at */
-    if (class == MAT_C_FUNCTION) return mat_function(v);
+    if (class == MAT_C_FUNCTION || class == MAT_C_OPAQUE) return mat_unknown(v, class == MAT_C_FUNCTION);
     if (!mat_next_of(&v, MAT_T_INT32, &dims) || !mat_count(&dims.data, &n)) return false;
     if (!mat_next_of(&v, MAT_T_INT8, &name) || mat_left(&name.data) > NAMES_MAX) return false;
     if (class >= MAT_C_DOUBLE && class <= MAT_C_UINT64)
