@@ -175,7 +175,8 @@ static void open_question_is_flagged(void **unused)
 static void interrupted_fit_is_whole(void **unused)
 {
     (void)unused;
-    prints("timeout -s INT 1.5 $W fit $S --no-report --bootstrap 10000 --write $T/w.yaml -o $T/o; test $? != "
+    prints("timeout --foreground -s INT 1.5 $W fit $S --no-report --bootstrap 10000 --write $T/w.yaml -o "
+           "$T/o; test $? != "
            "0 && test ! -e "
            "$T/w.yaml && $W --version >/dev/null; tail -c 3 $T/o/results.json; ls -A $T/o",
            0, "}");

@@ -79,11 +79,12 @@ static void a_line_on_a_terminal(void **state)
                                "$T/lines | tail -1 | cut -c 1-14; exit $code",
           130,
           { "blocks of wind" } },
-        { "timeout -s INT 5 $W " LONG
+        { "timeout --foreground -s INT 5 $W " LONG
           " >$T/out 2>$T/err; cat $T/err | tr '\\r\\033' '@@'; ! grep -q @ $T/err",
           CODE_OK,
           { "" } },
-        { "script -qefc \"timeout -s INT 5 $W -q " LONG "\" $T/log >/dev/null; grep -c left $T/log; true",
+        { "script -qefc \"timeout --foreground -s INT 5 $W -q " LONG
+          "\" $T/log >/dev/null; grep -c left $T/log; true",
           CODE_OK,
           { "0" } },
         { "script -qefc \"$W species list\" $T/log >/dev/null; grep -c \"$(printf '\\033')\" $T/log; true",
