@@ -2,7 +2,6 @@
 #include "study/assessment.h"
 #include "base/num.h"
 #include "data/model.h"
-#include "load/load.h"
 #include "study/directions.h"
 #include "study/interval.h"
 #include "study/peak.h"

@@ -126,8 +126,7 @@ struct wf_assess_often {
 };
 
 /* Assess a finished analysis. Given: the required safety; how often winds blow, from which the return period
- * follows. Returned: *out but for its directions. Errors: of the tree with sound sections; WF_EINPUT where
- * the root's spring, without guys, is too soft to hold the tree upright without wind. */
+ * follows. Returned: *out but for its directions. Errors: of the tree with sound sections. */
 enum wf_status wf_assess(const struct wf_analysis *an, const struct wf_solve_options *o, double required,
                          const struct wf_assess_often *often, struct wf_assessment *out, struct wf_err *e);
 
