@@ -54,6 +54,14 @@ struct wf_beam_answer {
     real X[6][6], x[6];
 };
 
+/* The change to the state under other loads, to first order, beside the correction of Newton's method. */
+struct wf_beam_side {
+    real k[6];    /* as of struct wf_beam_reaction */
+    real x[6];    /* as of struct wf_beam_answer */
+    real g[2][3]; /* of the unknowns g */
+    real v[2][3]; /* of the unknowns v (wf_beam_lean) */
+};
+
 /* Position and rotation of the element from its unknowns. Given: base pose. Returned: state at the Gauss
  * points, pose of the end. */
 void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,

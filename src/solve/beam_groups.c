@@ -12,14 +12,15 @@
 #define NAMED_(width) wf_groups_##width
 
 /* Numbers of an element in the arrays of struct wf_groups_sweep. */
-enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 42, SMALL = 150 };
+enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 42, SMALL = 150, SIDE = 24 };
 enum { PART = sizeof(element) / sizeof(real) };
 _Static_assert(sizeof(struct wf_beam_part) == offsetof(struct wf_beam_part, h) + PART * sizeof(double),
                "struct element is struct wf_beam_part from h on");
 _Static_assert(sizeof(struct wf_beam_shape) == SHAPE * sizeof(real) &&
                    sizeof(struct wf_beam_stage) == STAGE * sizeof(real) &&
                    sizeof(struct wf_beam_reaction) == REACTION * sizeof(real) &&
-                   sizeof(struct wf_beam_small) == SMALL * sizeof(real),
+                   sizeof(struct wf_beam_small) == SMALL * sizeof(real) &&
+                   sizeof(struct wf_beam_side) == SIDE * sizeof(real),
                "numbers of an element");
 
 /* The lanes' places in an array of all elements. */
@@ -160,6 +161,7 @@ WF_INLINE void fetch_down(const struct wf_groups_sweep *x, const struct wf_beam_
         fetch(x->shape, i, SHAPE), fetch(x->stage, i, STAGE);
         fetch(x->wrench, i, WRENCH), fetch(x->load, i, LOAD);
         if (x->tangent) fetch(x->node, i, REACTION), fetch(x->answer, i, REACTION);
+        if (x->other) fetch(x->side, i, SIDE);
     }
 }
 
@@ -199,7 +201,7 @@ static void up(struct wf_groups_sweep *x)
 
 struct work {
     const struct wf_groups_sweep *x; /* of all lanes, or the first: what they have in common */
-    struct air air;
+    struct air air, other;                   /* other: of other loads, where they are wanted */
     real gravity, weight_scale, point_scale; /* of the lanes' loads */
     real margin;
     real_truth guard;
@@ -219,7 +221,8 @@ struct taken {
     struct real_load load[2];
 };
 
-WF_INLINE void load_at(const struct work *w, int j, struct taken *t)
+WF_INLINE void load_at(const struct work *w, const struct air *air, int j, const struct taken *t,
+                       struct real_load *load)
 {
     const struct fixed_point *line = &t->p.line[j];
     struct real_point point = { .diameter = line->diameter,
@@ -228,9 +231,9 @@ WF_INLINE void load_at(const struct work *w, int j, struct taken *t)
                                 .sail = line->sail,
                                 .weight = -line->mass * w->gravity * w->weight_scale };
     memcpy(point.x, t->s.r[j], sizeof point.x), memcpy(point.t, t->s.t[j], sizeof point.t);
-    load_points(&w->air, &point, &t->load[j]);
-    v3_add(t->load[j].force, w->point_scale, t->p.dead[j]);
-    for (int i = 0; i < 9 && w->x->frozen; i++) t->load[j].by_place[i] = t->load[j].by_turn[i] = real_of(0);
+    load_points(air, &point, load);
+    v3_add(load->force, w->point_scale, t->p.dead[j]);
+    for (int i = 0; i < 9 && w->x->frozen; i++) load->by_place[i] = load->by_turn[i] = real_of(0);
 }
 
 WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
@@ -241,7 +244,7 @@ WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
     at = places_of(s, ARRAY(stage), STAGE), gather(&at, STAGE, (real *)&t->s);
     at = places_below(s, ARRAY(pose), POSE), gather(&at, POSE, (real *)&t->base);
     at = places_of(s, ARRAY(wrench), WRENCH), gather(&at, WRENCH, (real *)&t->end);
-    for (int j = 0; j < 2; j++) load_at(w, j, t);
+    for (int j = 0; j < 2; j++) load_at(w, &w->air, j, t, &t->load[j]);
     real force[2][3];
     for (int j = 0; j < 2; j++) memcpy(force[j], t->load[j].force, sizeof force[j]);
     at = places_of(s, ARRAY(load), LOAD), scatter(force[0], LOAD, s->n, &at);
@@ -304,7 +307,7 @@ WF_INLINE void count_unstable(const struct work *w, const struct some *s, const 
 static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, const struct kinematics *k,
                                                          by_base A)
 {
-    return bend_apart(&t->p, NULL, k, &t->s, t->at, 0, A);
+    return bend_apart(&t->p, NULL, k, &t->s, t->at, columns_of(0, TO_SIDE), A);
 }
 
 /* What is kept for small loads. S: the element's equations. */
@@ -317,22 +320,23 @@ static __attribute__((noinline)) void keep_small(const struct some *s, const str
     struct places to = places_of(s, ARRAY(small), SMALL);
     const real half = 0.5 * t->p.h;
     invert6(S, o.R);
-    base_wrench_of(half, q, t->load, 0, T, B);
+    base_wrench_of(half, q, t->load, NULL, columns_of(0, TO_SIDE), T, B);
     small_of(half, q, t->at, &t->above, P, T, &o);
     scatter((const real *)&o, SMALL, s->n, &to);
 }
 
 /* Solve the element's equations; where its step is too large, take it by itself. Returned: such lanes. */
 WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const struct taken *t,
-                                const struct kinematics *k, real P[6][6], real S[6][6], by_base A, int from)
+                                const struct kinematics *k, real P[6][6], real S[6][6], by_base A,
+                                struct columns b)
 {
-    real_truth broken = solve6(S, A, from), apart = { 0 };
+    real_truth broken = solve6(S, A, b), apart = { 0 };
     if (real_any(w->guard) && real_any(apart = (leaps(A, P) | broken) & w->guard)) {
         by_base alone;
         real_truth still = answer_apart(t, k, alone);
         broken = (broken & ~apart) | (apart & still);
         for (int r = 0; r < 6; r++)
-            for (int c = from; c < 7; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
+            for (int c = b.from; c < b.to; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
     }
     w->broken |= broken & s->here;
     return apart;
@@ -346,17 +350,17 @@ WF_INLINE void keep_reaction(const struct some *s, size_t array, int from, doubl
     struct places to = places_of(s, array, REACTION);
     for (int r = 0; r < 6; r++) {
         for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(r == c ? unit : 0) : A[r][c];
-        row[36 + r] = A[r][6];
+        row[36 + r] = A[r][NOW];
     }
     scatter(row, REACTION, s->n, &to);
 }
 
 /* Rows of the end's motion that follow_answer leaves out. */
-WF_INLINE void add_left_out(real P[6][6], by_base y, int from, by_base Z)
+WF_INLINE void add_left_out(real P[6][6], by_base y, struct columns b, by_base Z)
 {
-    for (int i = 0; i < from; i++)
+    for (int i = 0; i < b.from; i++)
         for (int m = 0; m < 6; m++)
-            for (int c = from; c < 7; c++) Z[i][c] += P[i][m] * y[m][c];
+            for (int c = b.from; c < b.to; c++) Z[i][c] += P[i][m] * y[m][c];
 }
 
 /* Pass the reaction on to the elements below. */
@@ -369,7 +373,7 @@ WF_INLINE void pass_reaction(const struct some *s, int from, by_base B, real_tru
             for (int c = from; c < 7; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
     for (int r = 0; r < 6; r++) {
         for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(0) : B[r][c];
-        row[36 + r] = B[r][6];
+        row[36 + r] = B[r][NOW];
     }
     scatter_add(row, REACTION, s->n, &to);
 }
@@ -383,10 +387,40 @@ WF_INLINE void keep_strain(const struct some *s, const struct taken *t)
     scatter(g[0], SHAPE / 2, s->n, &to);
 }
 
-WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part, enum variation kind)
+/* How the loads change to others. */
+WF_INLINE void take_shift(const struct work *w, const struct some *s, const struct taken *t,
+                          struct shift *shift)
+{
+    struct places at = places_of(s, ARRAY(side), SIDE);
+    gather(&at, 6, shift->k);
+    for (int j = 0; j < 2; j++) {
+        struct real_load load;
+        load_at(w, &w->other, j, t, &load);
+        for (int i = 0; i < 3; i++) shift->force[j][i] = load.force[i] - t->load[j].force[i];
+    }
+    shift_of(&t->p, &t->s, t->at, shift);
+}
+
+/* The change of the element to that under other loads, and of its wrench on the one below. */
+WF_INLINE void keep_side(const struct some *s, const struct taken *t, const struct shift *shift, by_base A,
+                         by_base Z, by_base B)
+{
+    real row[18], push[6];
+    struct places to = places_of(s, ARRAY(side), SIDE);
+    for (int r = 0; r < 6; r++) row[r] = Z[r][TO_SIDE], row[6 + r] = A[r][TO_SIDE], push[r] = B[r][TO_SIDE];
+    for (int j = 0; j < 2; j++) m3_apply_transposed(t->base.L, shift->gap[j], row + 12 + 3 * j);
+    scatter(row, 18, s->n, &to);
+    to = places_below(s, ARRAY(side), SIDE);
+    scatter_add(push, 6, s->n, &to);
+}
+
+WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part, enum variation kind,
+                              bool aside)
 {
     const int from = first_column(kind);
+    const struct columns b = columns_of(from, aside ? BY_BASE : TO_SIDE);
     struct taken t;
+    struct shift given, *shift = aside ? &given : NULL;
     struct turns o;
     struct kinematics k;
     struct statics q;
@@ -403,29 +437,41 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
     pass_down(s, &t);
     stiffen_kinematics(&k, 1 + element_damping(&t.p, NULL, &k, &t.s, t.at));
     keep_strain(s, &t);
-    end_motion_of(half, &k, &q, from, P, Z);
-    element_equations(&t.p, NULL, &k, &q, &t.s, t.at, from, S, A, Mn);
-    attach_part_above(Mn, &t.above, P, Z, from, S, A);
+    if (aside) take_shift(w, s, &t, shift);
+    end_motion_of(half, &k, &q, shift, b, P, Z);
+    element_equations(&t.p, NULL, &k, &q, &t.s, t.at, shift, from, S, A, Mn);
+    attach_part_above(Mn, &t.above, shift, P, Z, b, S, A);
     if (w->counting) count_unstable(w, s, &t, S, &k);
     if (w->x->small) keep_small(s, &t, &q, P, S);
-    real_truth apart = solve_some(w, s, &t, &k, P, S, A, from);
+    real_truth apart = solve_some(w, s, &t, &k, P, S, A, b);
     for (int r = 0; r < 6; r++)
-        for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
-    base_wrench_of(half, &q, t.load, from, T, B);
-    follow_answer(half, &q, &t.above, P, T, A, from, Z, B);
-    add_left_out(P, A, from, Z);
+        for (int c = from; c < b.to; c++) A[r][c] = -A[r][c];
+    base_wrench_of(half, &q, t.load, shift, b, T, B);
+    follow_answer(half, &q, &t.above, shift, P, T, A, b, Z, B);
+    add_left_out(P, A, b, Z);
     keep_reaction(s, ARRAY(answer), from, 0, A);
     keep_reaction(s, ARRAY(node), from, 1, Z);
     pass_reaction(s, from, B, apart);
+    if (aside) keep_side(s, &t, shift, A, Z, B);
 }
 
 static __attribute__((noinline)) void eliminate_upwards(struct work *w, const struct some *s, size_t part)
 {
-    eliminate_some(w, s, part, VARIES_UPWARDS);
+    eliminate_some(w, s, part, VARIES_UPWARDS, false);
 }
 static __attribute__((noinline)) void eliminate_varying(struct work *w, const struct some *s, size_t part)
 {
-    eliminate_some(w, s, part, VARIES);
+    eliminate_some(w, s, part, VARIES, false);
+}
+static __attribute__((noinline)) void eliminate_upwards_aside(struct work *w, const struct some *s,
+                                                              size_t part)
+{
+    eliminate_some(w, s, part, VARIES_UPWARDS, true);
+}
+static __attribute__((noinline)) void eliminate_varying_aside(struct work *w, const struct some *s,
+                                                              size_t part)
+{
+    eliminate_some(w, s, part, VARIES, true);
 }
 
 /* Sums over the lanes, in one order at any width. */
@@ -444,11 +490,11 @@ static void sum_up(const struct work *w, struct wf_groups_sweep *x)
 /* A sweep of so many lanes; those to spare are as the first. */
 static void begin_work(struct wf_groups_sweep *const *x, size_t n, struct work *w)
 {
-    const struct wf_loads *loads[WF_WIDTH];
+    const struct wf_loads *loads[WF_WIDTH], *other[WF_WIDTH];
     *w = (struct work){ .x = x[0] };
     for (size_t k = 0; k < WF_WIDTH; k++) {
         struct wf_groups_sweep *own = x[k < n ? k : 0];
-        loads[k] = own->loads;
+        loads[k] = own->loads, other[k] = own->other;
         real_lane(w->gravity, k) = own->loads->gravity;
         real_lane(w->weight_scale, k) = own->loads->weight_scale;
         real_lane(w->point_scale, k) = own->loads->point_scale;
@@ -458,6 +504,7 @@ static void begin_work(struct wf_groups_sweep *const *x, size_t n, struct work *
         own->negative = 0, own->bears = 0;
     }
     set_air(loads, &w->air);
+    if (x[0]->other) set_air(other, &w->other);
 }
 
 /* What a sweep computes of some elements. */
@@ -467,7 +514,9 @@ static of_some *kind_of(const struct work *w)
 {
     /* ties pull by where their ends are in all directions, as winds of any form blow */
     bool upwards = w->air.profile != WF_PROFILE_OTHER && !w->x->loads->ties;
-    return !w->x->tangent ? forces_of_some : upwards ? eliminate_upwards : eliminate_varying;
+    if (!w->x->tangent) return forces_of_some;
+    if (w->x->other) return upwards ? eliminate_upwards_aside : eliminate_varying_aside;
+    return upwards ? eliminate_upwards : eliminate_varying;
 }
 
 static bool down(struct wf_groups_sweep *x)

@@ -19,6 +19,10 @@ void wf_beam_sweep_up(struct wf_beam *b);
  * be NULL) also the number of unstable directions. false when the tangent is singular. */
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count);
 
+/* Tolerance up to which the last step of Newton's method may be made without a tangent of the shape it leads to
+ * (b->finished). */
+#define WF_BEAM_TIGHT 1e-8
+
 /* Newton's method with line search at the present loads, from the present shape. Returned: WF_OK; WF_ENOCONV
  * with the shape where it stalled. */
 enum wf_status wf_beam_newton(struct wf_beam *b);

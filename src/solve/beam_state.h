@@ -42,6 +42,11 @@ struct wf_beam {
     struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
     wf_four (*root_moved)[6];    /* as `small`, per row, for roots: change of the base pose by small loads */
     struct wf_beam_links *links; /* NULL: there are none (solve/beam_ends.h) */
+    const struct wf_loads *other; /* loads to which the change is wanted with the last tangent of Newton's method
+                                     (solve/beam_side.h); NULL: not wanted */
+    bool sided;                   /* the last tangent came with it: */
+    struct wf_beam_side *side;
+    double (*root_side)[6]; /* per row, for roots: change of the wrench on the ground, the root keeping its place */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */

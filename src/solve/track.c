@@ -2,6 +2,7 @@
 #include "solve/track.h"
 #include "base/vec3.h"
 #include "solve/beam.h"
+#include "solve/beam_side.h"
 #include "solve/modes.h"
 #include <math.h>
 #include <stdlib.h>
@@ -311,6 +312,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
     k->rested = false;
     enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
     if (!s) {
+        k->beam.other = before.beam.other;
         wf_beam_carry(&before.beam, &k->beam);
         k->beam.iterations = before.beam.iterations, k->beam.steps = before.beam.steps;
         if (!comes_to_rest(k, l, &scratch)) {
@@ -543,6 +545,15 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     return s || !due ? s : check_mesh(k, l, e);
 }
 
+/* One Newton step at the other loads from the last form. */
+static bool step_aside(struct wf_track *k, const struct wf_loads *side, bool *stable)
+{
+    put_back(k, k->last);
+    wf_beam_sweep_up(&k->beam);
+    k->beam.loads = *side;
+    return wf_beam_step(&k->beam, stable);
+}
+
 /* The answer, and that at the other loads: one Newton step further at each, of which the first takes away
  * what Newton's method has left. *stable (NULL: it is known): is the equilibrium? */
 static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone, bool *stable,
@@ -551,6 +562,9 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     struct wf_beam *b = &k->beam;
     enum wf_status s = alone ? WF_OK : wf_response_alloc(&out->side, k->tree->n, a, e);
     if (s) return s;
+    const bool known = !alone && b->sided && !b->finished; /* the last sweep came with the change to the side */
+    if (known && stable) *stable = wf_beam_stable(b);
+    if (known) wf_beam_side_find(b);
     if (!wf_beam_finish(b)) return WF_OK;
     wf_beam_read(b, &out->at);
     out->finished = true;
@@ -560,10 +574,7 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
         return WF_OK;
     }
     keep(k, k->lead);
-    put_back(k, k->last);
-    wf_beam_sweep_up(b);
-    b->loads = *side;
-    if (!wf_beam_step(b, stable)) return WF_OK;
+    if (!(known ? wf_beam_side_take(b) : step_aside(k, side, stable))) return WF_OK;
     wf_beam_read(b, &out->side);
     const struct form at = k->lead; /* the last form is now that which was read; lead = side - at */
     k->lead = k->last;
@@ -611,6 +622,7 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
     bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), WF_TRACK_NEAR)), done = false;
+    k->beam.other = !start->alone && k->options.tolerance > WF_BEAM_TIGHT ? side : NULL;
     bool soon = on && side && !start->alone && !check_is_due(k, l);
     if (soon) s = solve_soon(k, l, side, start, a, out, &done, e);
     if (s) return s;
@@ -646,6 +658,7 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
                               struct wf_err *e)
 {
     enum wf_status s = solve(k, l, side, start, a, out, e);
+    k->beam.other = NULL;
     own_wind(k);
     return s;
 }

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "solve/beam_side.h"
+#include "base/vec3.h"
+#include "solve/beam_eliminate.h"
+
+/* Of a root plate: in place of the wrench on it, the changes of its tilt and of its pose. */
+static void turn_root(struct wf_beam *b, size_t row)
+{
+    const double *v = b->tilt[row], x = wf_dot(v, v);
+    double *change = b->root_side[row], moment[3], inverse[9];
+    const struct rotation o = rotation_of(x);
+    memcpy(moment, change + 3, sizeof moment);
+    m3_apply(b->root_give[row], moment, change + 3);
+    rotation_tangent_inverse(&o, v, x, inverse);
+    m3_apply(inverse, change + 3, change);
+}
+
+void wf_beam_side_find(struct wf_beam *b)
+{
+    struct wf_beam_pose ground;
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        double base[6] = { 0 };
+        if (p->parent < 0) turn_root(b, (size_t)p->row);
+        if (p->parent < 0)
+            memcpy(base + 3, b->root_side[p->row] + 3, 3 * sizeof *base);
+        else
+            memcpy(base, b->side[p->parent].k, sizeof base);
+        wf_beam_correct_side(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->answer[i], &b->node[i], base,
+                             &b->side[i]);
+    }
+}
+
+bool wf_beam_side_take(struct wf_beam *b)
+{
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int j = 0; j < 2; j++) {
+            v3_add(b->shape[i].v[j], 1, b->side[i].v[j]);
+            v3_add(b->shape[i].g[j], 1, b->side[i].g[j]);
+        }
+    for (size_t i = 0; i < b->mesh.tree->n; i++)
+        if (b->mesh.tree->parent[i] < 0) v3_add(b->tilt[i], 1, b->root_side[i]);
+    b->loads = *b->other;
+    wf_beam_sweep_up(b);
+    return wf_beam_sweep_down(b, false, NULL);
+}
