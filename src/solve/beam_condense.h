@@ -18,7 +18,7 @@
  * part above, dw = K p_end + k, so that six equations in the six y remain. */
 
 /* A row per unknown, columns: the six of the base's change p, the constant of Newton's method, and that of
- * the change to other loads. */
+ * loads that grow (struct wf_beam_growth). */
 enum { NOW = 6, TO_SIDE, BY_BASE };
 typedef real by_base[6][BY_BASE];
 
@@ -31,21 +31,20 @@ WF_INLINE struct columns columns_of(int from, int to)
     return (struct columns){ from, WF_WIDTH == 1 ? BY_BASE : to };
 }
 
-/* Change of an element's loads to others at its present shape, and of the wrench of the part above. */
+/* Change of an element at its present shape where the loads grow. */
 struct shift {
     real force[2][3]; /* given: of the load per length */
-    real k[6];        /* given: of the wrench on the end, which keeps its place */
-    real gap[2][3];   /* of the strain, by both */
+    real gap[2][3];   /* of the strain, by `force` and the part above */
     real turn[2][3];  /* of r' x n, by `force` */
 };
 
 WF_INLINE void shift_of(const element *p, const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
-                        struct shift *o)
+                        const struct wf_beam_reaction *above, struct shift *o)
 {
     for (int j = 0; j < 2; j++) {
         const fixed d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
         real own[3], all[3], give[3], back[3];
-        for (int i = 0; i < 3; i++) own[i] = d0 * o->force[0][i] + d1 * o->force[1][i], all[i] = own[i] + o->k[i];
+        for (int i = 0; i < 3; i++) own[i] = d0 * o->force[0][i] + d1 * o->force[1][i], all[i] = own[i] + above->side[i];
         v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], own, give);
         v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], all, o->gap[j]);
         wf_cross(s->rp[j], own, o->turn[j]);
@@ -72,7 +71,7 @@ WF_INLINE void put_by_base(by_base A, int from, int row, int col, const real B[9
 }
 
 /* S y + A (p_base, 1) = 0 for the element without the part above, whose reaction enters through Mn: dn_end
- * -> dm_j. shift NULL: there are no other loads. */
+ * -> dm_j. shift NULL: the loads do not grow. */
 WF_INLINE void element_equations(const element *p, const struct wf_beam_flat *flat,
                                  const struct kinematics *k, const struct statics *q,
                                  const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
@@ -243,36 +242,28 @@ WF_INLINE void base_wrench_of(fixed half, const struct statics *q, const struct 
     }
 }
 
-/* Constants of the part above, row i. */
-WF_INLINE real constant_of(const struct wf_beam_reaction *above, const struct shift *shift, int i, int c)
+/* Row i of K and of the constants. */
+WF_INLINE real above_of(const struct wf_beam_reaction *above, int i, int c)
 {
-    return c == NOW ? above->k[i] : shift ? shift->k[i] : real_of(0);
-}
-/* Row i of K and these. */
-WF_INLINE real above_of(const struct wf_beam_reaction *above, const struct shift *shift, int i, int c)
-{
-    return c < NOW ? above->K[i][c] : constant_of(above, shift, i, c);
+    return c < NOW ? above->K[i][c] : c == NOW ? above->k[i] : above->side[i];
 }
 
 /* Add the reaction of the part above, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
  * equations: dm_j gains Mn_j dn_end + dm_end. */
-WF_INLINE void attach_part_above(real Mn[2][9], const struct wf_beam_reaction *above,
-                                 const struct shift *shift, real P[6][6], by_base Z, struct columns b,
-                                 real S[6][6], by_base A)
+WF_INLINE void attach_part_above(real Mn[2][9], const struct wf_beam_reaction *above, real P[6][6], by_base Z,
+                                 struct columns b, real S[6][6], by_base A)
 {
-    const int to = shift ? BY_BASE : TO_SIDE;
     for (int j = 0; j < 2; j++)
         for (int i = 0; i < 3; i++) {
             real EK[BY_BASE], *row = S[3 * j + i], *a = A[3 * j + i];
-            for (int c = b.from; c < to; c++)
-                EK[c] = -above_of(above, shift, 3 + i, c) - Mn[j][3 * i] * above_of(above, shift, 0, c) -
-                        Mn[j][3 * i + 1] * above_of(above, shift, 1, c) -
-                        Mn[j][3 * i + 2] * above_of(above, shift, 2, c);
+            for (int c = b.from; c < b.to; c++)
+                EK[c] = -above_of(above, 3 + i, c) - Mn[j][3 * i] * above_of(above, 0, c) -
+                        Mn[j][3 * i + 1] * above_of(above, 1, c) - Mn[j][3 * i + 2] * above_of(above, 2, c);
             for (int m = b.from; m < 6; m++)
                 for (int c = 0; c < 6; c++) row[c] += EK[m] * P[m][c];
-            for (int c = b.from; c < to; c++) a[c] += EK[c]; /* Z = (1 X g; 0 1 0), X, g from column 3 on */
+            for (int c = b.from; c < b.to; c++) a[c] += EK[c]; /* Z = (1 X g; 0 1 0), X, g from column 3 on */
             for (int m = b.from; m < 3; m++)
-                for (int c = 3; c < to; c++) a[c] += EK[m] * Z[m][c];
+                for (int c = 3; c < b.to; c++) a[c] += EK[m] * Z[m][c];
         }
 }
 
@@ -313,14 +304,13 @@ WF_INLINE real_truth bend_apart(const element *p, const struct wf_beam_flat *fla
 /* Motion of the end, end = Z (p_base, 1), and wrench on the base, B (p_base, 1), of an element that moves by
  * y. Given: Z, B at y = 0. */
 WF_INLINE void follow_answer(fixed half, const struct statics *q, struct wf_beam_reaction *above,
-                             const struct shift *shift, real P[6][6], real S[6][6], by_base y,
-                             struct columns b, by_base Z, by_base B)
+                             real P[6][6], real S[6][6], by_base y, struct columns b, by_base Z, by_base B)
 {
     by_base W;
     add_product(P, y, b, b.from, 0, Z); /* rows left out of Z are columns left out of K */
     for (int i = 0; i < 6; i++)
         for (int c = b.from; c < b.to; c++)
-            W[i][c] = c < NOW ? real_of(0) : constant_of(above, shift, i, c);
+            W[i][c] = c < NOW ? real_of(0) : above_of(above, i, c);
     add_product(above->K, Z, b, 0, b.from, W); /* dw_end = W (p, 1) */
     add_product(S, y, b, 0, 0, B);
     for (int i = 0; i < 3; i++)

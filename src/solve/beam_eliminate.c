@@ -50,28 +50,16 @@ void wf_beam_curvature(const struct wf_beam_part *p, const struct wf_beam_shape 
 
 /* Its elimination. */
 
-/* How the loads change to others. */
-WF_INLINE void take_shift(const struct wf_beam_part *p, const struct wf_beam_stage *s,
-                          const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+/* Change of the element where the loads grow; none where they do not. */
+WF_INLINE void take_shift(const struct wf_beam_part *p, const double L[9], const struct wf_beam_stage *s,
+                          const struct wf_beam_wrench at[2], const struct wf_beam_reaction *above,
                           const struct wf_beam_also *also, struct shift *o)
 {
     *o = (struct shift){ 0 };
-    if (!also->other) return;
-    memcpy(o->k, also->side->k, sizeof o->k);
-    for (int j = 0; j < 2; j++)
-        for (int i = 0; i < 3; i++) o->force[j][i] = also->other[j].force[i] - load[j].force[i];
-    shift_of(p, s, at, o);
-}
-
-static void keep_side(const double L[9], const struct shift *shift, by_base y, by_base Z, by_base B,
-                      const struct wf_beam_also *also)
-{
-    struct wf_beam_side *o = also->side;
-    for (int i = 0; i < 6; i++) {
-        o->x[i] = y[i][TO_SIDE], o->k[i] = Z[i][TO_SIDE];
-        also->side_below[i] += B[i][TO_SIDE];
-    }
-    for (int j = 0; j < 2; j++) m3_apply_transposed(L, shift->gap[j], o->g[j]);
+    if (!also->change) return;
+    memcpy(o->force, also->change, sizeof o->force);
+    shift_of(p, s, at, above, o);
+    for (int j = 0; j < 2; j++) m3_apply_transposed(L, o->gap[j], also->side->g[j]);
 }
 
 /* Solve for y = -A (p_base, 1). Where guarded, an element whose step is too large is taken by itself, with no
@@ -86,7 +74,7 @@ WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_
     double S[6][6], Mn[2][9];
     *apart = false;
     element_equations(p, flat, k, q, s, at, shift, 0, S, A, Mn);
-    attach_part_above(Mn, above, shift, P, Z, b, S, A);
+    attach_part_above(Mn, above, P, Z, b, S, A);
     if (also->small) invert6(S, also->small->R);
     if (also->count) also->count->negative += (size_t)unstable_directions(p, S, k, also->count->margin);
     bool solved = !solve6(S, A, b);
@@ -115,7 +103,7 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
     kinematics_of(p, u, &turns, L, s, creep, &k);
     stiffen_kinematics(&k, 1 + (creep ? creep->rate : 0) + element_damping(p, flat, &k, s, at));
     statics_of(p, flat, s, load, VARIES, at, &q);
-    take_shift(p, s, load, at, also, &shift);
+    take_shift(p, L, s, at, node, also, &shift);
     for (int j = 0; j < 2; j++) strain_of(p, L, s, at, j, u->g[j]);
     end_motion_of(half, &k, &q, &shift, b, P, Z);
     base_wrench_of(half, &q, load, &shift, b, S, B);
@@ -124,17 +112,16 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
         for (int c = 0; c < BY_BASE; c++) y[i][c] = -y[i][c];
 
     if (also->small) small_of(half, &q, at, node, P, S, also->small);
-    follow_answer(half, &q, node, &shift, P, S, y, b, Z, B);
+    follow_answer(half, &q, node, P, S, y, b, Z, B);
     for (int i = 0; i < 6; i++) {
         for (int c = 0; c < 6; c++) o->X[i][c] = y[i][c], node->K[i][c] = Z[i][c];
-        o->x[i] = y[i][NOW];
-        node->k[i] = Z[i][NOW];
+        o->x[i] = y[i][NOW], o->side[i] = y[i][TO_SIDE];
+        node->k[i] = Z[i][NOW], node->side[i] = Z[i][TO_SIDE];
     }
     for (int i = 0; i < 6 && !apart; i++) {
         for (int c = 0; c < 6; c++) below->K[i][c] += B[i][c];
-        below->k[i] += B[i][NOW];
+        below->k[i] += B[i][NOW], below->side[i] += B[i][TO_SIDE];
     }
-    if (also->other) keep_side(L, &shift, y, Z, B, also);
     return true;
 }
 
@@ -184,11 +171,10 @@ void wf_beam_correct(const struct wf_beam_shape *u, const double L[9], const str
 }
 
 void wf_beam_correct_side(const struct wf_beam_shape *u, const double L[9], const struct wf_beam_answer *o,
-                          const struct wf_beam_reaction *node, const double p[6], struct wf_beam_side *side)
+                          const struct wf_beam_reaction *node, const double p[6], double dv[2][3],
+                          double end[6])
 {
-    double k[6];
-    memcpy(k, side->k, sizeof k);
-    correct(u, L, o->X, side->x, node->K, k, p, side->v, side->k);
+    correct(u, L, o->X, o->side, node->K, node->side, p, dv, end);
 }
 
 WF_INLINE void misfit_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double L[9],

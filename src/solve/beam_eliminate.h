@@ -13,10 +13,9 @@ struct wf_beam_also {
                                         with all above it, is unstable: negative pivots of its tangent in terms
                                         of strains */
     struct wf_beam_small *small;     /* NULL, or filled */
-    const struct wf_line_load *other; /* other loads; NULL: none. Then: */
-    struct wf_beam_side *side; /* given: in k the change of the wrench on its end. Returned: that to the other
-                                  loads; k becomes the change of the end at a base that keeps its place */
-    double *side_below;        /* the change of the wrench on its base is added */
+    double (*change)[3]; /* of the loads, where they grow; NULL: they do not. Then: */
+    struct wf_beam_shape *side; /* its g become the changes of the strains; `side` of the reactions and of the
+                                   answer is taken and returned as k and x are */
 };
 
 /* Linearise and eliminate one element. Given: the present state; in *node the reaction of everything above
@@ -43,10 +42,10 @@ void wf_beam_correct(const struct wf_beam_shape *u, const double base_L[9],
                      const struct wf_beam_answer *answer, const struct wf_beam_reaction *node,
                      const double p[6], double dv[2][3], double end[6]);
 
-/* The same of the change to other loads, into its v; its k becomes the change of the end. */
+/* The same where the loads grow, without the correction. */
 void wf_beam_correct_side(const struct wf_beam_shape *u, const double base_L[9],
                           const struct wf_beam_answer *answer, const struct wf_beam_reaction *node,
-                          const double p[6], struct wf_beam_side *side);
+                          const double p[6], double dv[2][3], double end[6]);
 
 /* Add the material law residual of one element, with internal forces `at` at its Gauss points, to *sum. flat
  * NULL: round section. */

@@ -12,15 +12,14 @@
 #define NAMED_(width) wf_groups_##width
 
 /* Numbers of an element in the arrays of struct wf_groups_sweep. */
-enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 42, SMALL = 150, SIDE = 24 };
+enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 48, NO_SIDE = 42, SMALL = 150 };
 enum { PART = sizeof(element) / sizeof(real) };
 _Static_assert(sizeof(struct wf_beam_part) == offsetof(struct wf_beam_part, h) + PART * sizeof(double),
                "struct element is struct wf_beam_part from h on");
 _Static_assert(sizeof(struct wf_beam_shape) == SHAPE * sizeof(real) &&
                    sizeof(struct wf_beam_stage) == STAGE * sizeof(real) &&
                    sizeof(struct wf_beam_reaction) == REACTION * sizeof(real) &&
-                   sizeof(struct wf_beam_small) == SMALL * sizeof(real) &&
-                   sizeof(struct wf_beam_side) == SIDE * sizeof(real),
+                   sizeof(struct wf_beam_small) == SMALL * sizeof(real),
                "numbers of an element");
 
 /* The lanes' places in an array of all elements. */
@@ -161,7 +160,6 @@ WF_INLINE void fetch_down(const struct wf_groups_sweep *x, const struct wf_beam_
         fetch(x->shape, i, SHAPE), fetch(x->stage, i, STAGE);
         fetch(x->wrench, i, WRENCH), fetch(x->load, i, LOAD);
         if (x->tangent) fetch(x->node, i, REACTION), fetch(x->answer, i, REACTION);
-        if (x->other) fetch(x->side, i, SIDE);
     }
 }
 
@@ -201,7 +199,7 @@ static void up(struct wf_groups_sweep *x)
 
 struct work {
     const struct wf_groups_sweep *x; /* of all lanes, or the first: what they have in common */
-    struct air air, other;                   /* other: of other loads, where they are wanted */
+    struct air air;
     real gravity, weight_scale, point_scale; /* of the lanes' loads */
     real margin;
     real_truth guard;
@@ -221,9 +219,9 @@ struct taken {
     struct real_load load[2];
 };
 
-WF_INLINE void load_at(const struct work *w, const struct air *air, int j, const struct taken *t,
-                       struct real_load *load)
+WF_INLINE void load_at(const struct work *w, int j, struct taken *t, struct shift *shift)
 {
+    struct real_load *load = &t->load[j];
     const struct fixed_point *line = &t->p.line[j];
     struct real_point point = { .diameter = line->diameter,
                                 .drag = line->drag,
@@ -231,12 +229,13 @@ WF_INLINE void load_at(const struct work *w, const struct air *air, int j, const
                                 .sail = line->sail,
                                 .weight = -line->mass * w->gravity * w->weight_scale };
     memcpy(point.x, t->s.r[j], sizeof point.x), memcpy(point.t, t->s.t[j], sizeof point.t);
-    load_points(air, &point, load);
+    load_points(&w->air, &point, load, shift ? shift->force[j] : NULL);
     v3_add(load->force, w->point_scale, t->p.dead[j]);
     for (int i = 0; i < 9 && w->x->frozen; i++) load->by_place[i] = load->by_turn[i] = real_of(0);
 }
 
-WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
+/* shift: how the loads change where they grow; NULL: not wanted. */
+WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t, struct shift *shift)
 {
     struct places at = places_of(s, ARRAY(shape), SHAPE);
     gather_part(s, &t->p);
@@ -244,7 +243,7 @@ WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
     at = places_of(s, ARRAY(stage), STAGE), gather(&at, STAGE, (real *)&t->s);
     at = places_below(s, ARRAY(pose), POSE), gather(&at, POSE, (real *)&t->base);
     at = places_of(s, ARRAY(wrench), WRENCH), gather(&at, WRENCH, (real *)&t->end);
-    for (int j = 0; j < 2; j++) load_at(w, &w->air, j, t, &t->load[j]);
+    for (int j = 0; j < 2; j++) load_at(w, j, t, shift);
     real force[2][3];
     for (int j = 0; j < 2; j++) memcpy(force[j], t->load[j].force, sizeof force[j]);
     at = places_of(s, ARRAY(load), LOAD), scatter(force[0], LOAD, s->n, &at);
@@ -276,7 +275,7 @@ static __attribute__((noinline)) void forces_of_some(struct work *w, const struc
 {
     struct taken t;
     real k[2][3], gap[2][3];
-    take(w, s, &t);
+    take(w, s, &t, NULL);
     curvature_of(&t.p, &t.u, k);
     for (int j = 0; j < 2; j++) {
         m3_apply(t.base.L, k[j], k[j]);
@@ -344,15 +343,21 @@ WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const stru
 
 /* A row per unknown, as struct wf_beam_reaction; columns left out are those of the unit matrix times `unit`.
  */
-WF_INLINE void keep_reaction(const struct some *s, size_t array, int from, double unit, by_base A)
+WF_INLINE void take_rows(by_base A, struct columns b, double unit, real row[REACTION])
+{
+    for (int r = 0; r < 6; r++) {
+        for (int c = 0; c < 6; c++) row[6 * r + c] = c < b.from ? real_of(r == c ? unit : 0) : A[r][c];
+        row[36 + r] = A[r][NOW];
+        row[NO_SIDE + r] = b.to > TO_SIDE ? A[r][TO_SIDE] : real_of(0);
+    }
+}
+
+WF_INLINE void keep_reaction(const struct some *s, size_t array, struct columns b, double unit, by_base A)
 {
     real row[REACTION];
     struct places to = places_of(s, array, REACTION);
-    for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(r == c ? unit : 0) : A[r][c];
-        row[36 + r] = A[r][NOW];
-    }
-    scatter(row, REACTION, s->n, &to);
+    take_rows(A, b, unit, row);
+    scatter(row, b.to > TO_SIDE ? REACTION : NO_SIDE, s->n, &to);
 }
 
 /* Rows of the end's motion that follow_answer leaves out. */
@@ -364,17 +369,14 @@ WF_INLINE void add_left_out(real P[6][6], by_base y, struct columns b, by_base Z
 }
 
 /* Pass the reaction on to the elements below. */
-WF_INLINE void pass_reaction(const struct some *s, int from, by_base B, real_truth apart)
+WF_INLINE void pass_reaction(const struct some *s, struct columns b, by_base B, real_truth apart)
 {
     real row[REACTION];
     struct places to = places_below(s, ARRAY(node), REACTION);
     if (real_any(apart))
         for (int r = 0; r < 6; r++)
-            for (int c = from; c < 7; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
-    for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(0) : B[r][c];
-        row[36 + r] = B[r][NOW];
-    }
+            for (int c = b.from; c < b.to; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
+    take_rows(B, b, 0, row);
     scatter_add(row, REACTION, s->n, &to);
 }
 
@@ -387,48 +389,32 @@ WF_INLINE void keep_strain(const struct some *s, const struct taken *t)
     scatter(g[0], SHAPE / 2, s->n, &to);
 }
 
-/* How the loads change to others. */
-WF_INLINE void take_shift(const struct work *w, const struct some *s, const struct taken *t,
-                          struct shift *shift)
+/* Changes of the strains where the loads grow. */
+WF_INLINE void keep_strain_shift(const struct some *s, const struct taken *t, const struct shift *shift)
 {
-    struct places at = places_of(s, ARRAY(side), SIDE);
-    gather(&at, 6, shift->k);
-    for (int j = 0; j < 2; j++) {
-        struct real_load load;
-        load_at(w, &w->other, j, t, &load);
-        for (int i = 0; i < 3; i++) shift->force[j][i] = load.force[i] - t->load[j].force[i];
-    }
-    shift_of(&t->p, &t->s, t->at, shift);
+    real g[2][3];
+    struct places to = places_of(s, ARRAY(side), SHAPE);
+    for (int k = 0; k < WF_WIDTH; k++) to.at[k] += SHAPE / 2;
+    for (int j = 0; j < 2; j++) m3_apply_transposed(t->base.L, shift->gap[j], g[j]);
+    scatter(g[0], SHAPE / 2, s->n, &to);
 }
 
-/* The change of the element to that under other loads, and of its wrench on the one below. */
-WF_INLINE void keep_side(const struct some *s, const struct taken *t, const struct shift *shift, by_base A,
-                         by_base Z, by_base B)
-{
-    real row[18], push[6];
-    struct places to = places_of(s, ARRAY(side), SIDE);
-    for (int r = 0; r < 6; r++) row[r] = Z[r][TO_SIDE], row[6 + r] = A[r][TO_SIDE], push[r] = B[r][TO_SIDE];
-    for (int j = 0; j < 2; j++) m3_apply_transposed(t->base.L, shift->gap[j], row + 12 + 3 * j);
-    scatter(row, 18, s->n, &to);
-    to = places_below(s, ARRAY(side), SIDE);
-    scatter_add(push, 6, s->n, &to);
-}
-
+/* grows: the second constant is wanted too. */
 WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part, enum variation kind,
-                              bool aside)
+                              bool grows)
 {
     const int from = first_column(kind);
-    const struct columns b = columns_of(from, aside ? BY_BASE : TO_SIDE);
+    const struct columns b = columns_of(from, grows ? BY_BASE : TO_SIDE);
     struct taken t;
-    struct shift given, *shift = aside ? &given : NULL;
+    struct shift given, *shift = grows ? &given : NULL;
     struct turns o;
     struct kinematics k;
     struct statics q;
     real P[6][6], S[6][6], T[6][6], Mn[2][9];
     by_base A, Z, B;
     struct places at = places_of(s, ARRAY(node), REACTION);
-    take(w, s, &t);
-    gather(&at, REACTION, (real *)&t.above);
+    take(w, s, &t, shift);
+    gather(&at, grows ? REACTION : NO_SIDE, (real *)&t.above);
     const real half = 0.5 * t.p.h;
     turns_of(&t.u, &o);
     kinematics_of(&t.p, &t.u, &o, t.base.L, &t.s, NULL, &k);
@@ -437,22 +423,21 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
     pass_down(s, &t);
     stiffen_kinematics(&k, 1 + element_damping(&t.p, NULL, &k, &t.s, t.at));
     keep_strain(s, &t);
-    if (aside) take_shift(w, s, &t, shift);
+    if (grows) shift_of(&t.p, &t.s, t.at, &t.above, shift), keep_strain_shift(s, &t, shift);
     end_motion_of(half, &k, &q, shift, b, P, Z);
     element_equations(&t.p, NULL, &k, &q, &t.s, t.at, shift, from, S, A, Mn);
-    attach_part_above(Mn, &t.above, shift, P, Z, b, S, A);
+    attach_part_above(Mn, &t.above, P, Z, b, S, A);
     if (w->counting) count_unstable(w, s, &t, S, &k);
     if (w->x->small) keep_small(s, &t, &q, P, S);
     real_truth apart = solve_some(w, s, &t, &k, P, S, A, b);
     for (int r = 0; r < 6; r++)
         for (int c = from; c < b.to; c++) A[r][c] = -A[r][c];
     base_wrench_of(half, &q, t.load, shift, b, T, B);
-    follow_answer(half, &q, &t.above, shift, P, T, A, b, Z, B);
+    follow_answer(half, &q, &t.above, P, T, A, b, Z, B);
     add_left_out(P, A, b, Z);
-    keep_reaction(s, ARRAY(answer), from, 0, A);
-    keep_reaction(s, ARRAY(node), from, 1, Z);
-    pass_reaction(s, from, B, apart);
-    if (aside) keep_side(s, &t, shift, A, Z, B);
+    keep_reaction(s, ARRAY(answer), b, 0, A);
+    keep_reaction(s, ARRAY(node), b, 1, Z);
+    pass_reaction(s, b, B, apart);
 }
 
 static __attribute__((noinline)) void eliminate_upwards(struct work *w, const struct some *s, size_t part)
@@ -463,12 +448,12 @@ static __attribute__((noinline)) void eliminate_varying(struct work *w, const st
 {
     eliminate_some(w, s, part, VARIES, false);
 }
-static __attribute__((noinline)) void eliminate_upwards_aside(struct work *w, const struct some *s,
+static __attribute__((noinline)) void eliminate_upwards_growing(struct work *w, const struct some *s,
                                                               size_t part)
 {
     eliminate_some(w, s, part, VARIES_UPWARDS, true);
 }
-static __attribute__((noinline)) void eliminate_varying_aside(struct work *w, const struct some *s,
+static __attribute__((noinline)) void eliminate_varying_growing(struct work *w, const struct some *s,
                                                               size_t part)
 {
     eliminate_some(w, s, part, VARIES, true);
@@ -490,11 +475,11 @@ static void sum_up(const struct work *w, struct wf_groups_sweep *x)
 /* A sweep of so many lanes; those to spare are as the first. */
 static void begin_work(struct wf_groups_sweep *const *x, size_t n, struct work *w)
 {
-    const struct wf_loads *loads[WF_WIDTH], *other[WF_WIDTH];
+    const struct wf_loads *loads[WF_WIDTH];
     *w = (struct work){ .x = x[0] };
     for (size_t k = 0; k < WF_WIDTH; k++) {
         struct wf_groups_sweep *own = x[k < n ? k : 0];
-        loads[k] = own->loads, other[k] = own->other;
+        loads[k] = own->loads;
         real_lane(w->gravity, k) = own->loads->gravity;
         real_lane(w->weight_scale, k) = own->loads->weight_scale;
         real_lane(w->point_scale, k) = own->loads->point_scale;
@@ -504,7 +489,11 @@ static void begin_work(struct wf_groups_sweep *const *x, size_t n, struct work *
         own->negative = 0, own->bears = 0;
     }
     set_air(loads, &w->air);
-    if (x[0]->other) set_air(other, &w->other);
+    for (size_t k = 0; k < WF_WIDTH && x[0]->grows; k++) {
+        const struct wf_groups_sweep *own = x[k < n ? k : 0];
+        real_lane(w->air.grows_speed, k) = own->growth.speed;
+        real_lane(w->air.grows_density, k) = own->growth.density;
+    }
 }
 
 /* What a sweep computes of some elements. */
@@ -515,7 +504,7 @@ static of_some *kind_of(const struct work *w)
     /* ties pull by where their ends are in all directions, as winds of any form blow */
     bool upwards = w->air.profile != WF_PROFILE_OTHER && !w->x->loads->ties;
     if (!w->x->tangent) return forces_of_some;
-    if (w->x->other) return upwards ? eliminate_upwards_aside : eliminate_varying_aside;
+    if (w->x->grows) return upwards ? eliminate_upwards_growing : eliminate_varying_growing;
     return upwards ? eliminate_upwards : eliminate_varying;
 }
 

@@ -30,11 +30,11 @@ struct wf_groups_sweep {
     const struct wf_beam_mesh *mesh;
     const struct wf_beam_groups *groups;
     const struct wf_loads *loads;
-    const struct wf_loads *other; /* with the tangent: loads to which the change is wanted, in `side`; NULL: not
-                                     wanted */
     double *shape, *pose, *stage, *wrench, *load, *node, *answer;
     double *small; /* NULL: not wanted; else filled with the tangent */
-    double *side;
+    double *side;  /* as `shape`: with the tangent, changes of the strains where the loads grow: */
+    bool grows;
+    struct wf_beam_growth growth;
     double *off;   /* NULL: not wanted */
     bool *weak;    /* NULL: not wanted */
     bool upwards;  /* by chains: the way up */
@@ -53,12 +53,12 @@ struct wf_groups_kernel {
     size_t width;
     /* Place the elements, whose bases on the ground are placed. */
     void (*up)(struct wf_groups_sweep *x);
-    /* Forces, residual, tangent; adds to `wrench`, `node` and `side` of the elements below. false: a tangent
-     * is singular. */
+    /* Forces, residual, tangent; adds to `wrench` and `node` of the elements below. false: a tangent is
+     * singular. */
     bool (*down)(struct wf_groups_sweep *x);
     /* The same of up to `width` trees side by side, whose elements stand one on another, by falling numbers
      * of elements; those on the ground are left out. On the way down they are alike in `tangent`, `frozen`,
-     * in `small` and `other` (wanted or not) and in the forms of their winds, and have no `off`, `weak` or ties. */
+     * in `small` (wanted or not), in `grows` and in the forms of their winds, and have no `off`, `weak` or ties. */
     void (*chains_up)(struct wf_groups_sweep *const *x, size_t n);
     void (*chains_down)(struct wf_groups_sweep *const *x, size_t n);
 };

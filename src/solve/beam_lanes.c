@@ -197,7 +197,7 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
     }
     end_motion_of(half, &k, &q, NULL, b, P, Z);
     element_equations(p, NULL, &k, &q, &s, at, NULL, from, S, A, Mn);
-    attach_part_above(Mn, &above.node, NULL, P, Z, b, S, A);
+    attach_part_above(Mn, &above.node, P, Z, b, S, A);
     if (counting) count_unstable(w, p, S, &k, &down);
     w->broken |= solve6(S, A, b);
     if (real_any(w->guard) && real_any(apart = w->guard & leaps(A, P))) {
@@ -210,7 +210,7 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
         for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
     keep_answer(w, i, from, A);
     base_wrench_of(half, &q, load, NULL, b, T, B);
-    follow_answer(half, &q, &above.node, NULL, P, T, A, b, Z, B);
+    follow_answer(half, &q, &above.node, P, T, A, b, Z, B);
     pass_down(w, i, p, from, B, apart, &down);
 }
 
@@ -619,19 +619,23 @@ static void take_points(const struct wf_loads *l, size_t n, const struct wf_lane
     }
 }
 
-static void loads(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
-                  struct wf_line_load *out)
+static void loads(const struct wf_loads *l, const struct wf_beam_growth *growth, size_t n,
+                  const struct wf_lanes_point *p, struct wf_line_load *out, double (*change)[3])
 {
     const struct wf_loads *all[WF_WIDTH];
     struct air air;
     for (int k = 0; k < WF_WIDTH; k++) all[k] = l;
     set_air(all, &air);
+    if (growth) air.grows_speed = real_of(growth->speed), air.grows_density = real_of(growth->density);
     for (size_t from = 0; from < n; from += WF_WIDTH) {
         struct real_point point;
         struct real_load q;
+        real grown[3];
         size_t some = n - from < WF_WIDTH ? n - from : WF_WIDTH;
         take_points(l, some, p + from, &point);
-        load_points(&air, &point, &q);
+        load_points(&air, &point, &q, growth ? grown : NULL);
+        for (size_t k = 0; k < some && growth; k++)
+            for (int i = 0; i < 3; i++) change[from + k][i] = real_lane(grown[i], k);
         for (size_t k = 0; k < some; k++) {
             struct wf_line_load *to = &out[from + k];
             for (int i = 0; i < 3; i++)

@@ -54,7 +54,7 @@ static struct wf_groups_sweep groups_of(const struct wf_beam *b)
                                      .node = &b->node->K[0][0],
                                      .answer = &b->answer->X[0][0],
                                      .small = b->small ? &b->small->R[0][0] : NULL,
-                                     .side = b->side->k,
+                                     .side = b->side->v[0],
                                      .off = b->off,
                                      .weak = b->weak,
                                      .frozen = b->frozen };
@@ -100,7 +100,6 @@ static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
     const struct wf_beam_part *p = &b->mesh.part[i];
     also->small = b->small ? &b->small[i] : NULL;
     also->side = &b->side[i];
-    also->side_below = p->parent >= 0 ? b->side[p->parent].k : b->root_side[p->row];
     if (b->flat)
         return wf_beam_eliminate_flat(p, &b->flat[i], &b->shape[i], L, creep, &b->stage[i], load, at,
                                       &b->node[i], &b->answer[i], below, also);
@@ -160,11 +159,12 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
 
 /* Loads of elements, computed some ahead of the sweep down, side by side. */
 struct ahead {
-    const struct wf_loads *loads; /* NULL: none are wanted */
     const struct wf_lanes_kernel *kernel;
+    const struct wf_beam_growth *growth; /* NULL: none */
     size_t most; /* at once */
     size_t n, used;
     struct wf_line_load load[AHEAD][2];
+    double change[AHEAD][2][3]; /* by the growth */
 };
 
 /* The loads of the k-th element that moves and of those that follow it on the way down. */
@@ -178,13 +178,12 @@ static void load_ahead(const struct wf_beam *b, size_t k, struct ahead *a)
             point[points++] = (struct wf_lanes_point){ b->stage[i].r[j], b->stage[i].t[j],
                                                        b->mesh.part[i].dead[j], &b->mesh.part[i].line[j] };
     }
-    a->kernel->loads(a->loads, points, point, &a->load[0][0]);
+    a->kernel->loads(&b->loads, a->growth, points, point, &a->load[0][0], a->change[0]);
     a->n = points / 2, a->used = 0;
 }
 
 static struct wf_line_load *load_of(const struct wf_beam *b, size_t k, struct ahead *a)
 {
-    if (!a->loads) return NULL;
     if (a->used == a->n) load_ahead(b, k, a);
     struct wf_line_load *load = a->load[a->used++];
     for (int j = 0; j < 2 && b->frozen; j++)
@@ -194,12 +193,13 @@ static struct wf_line_load *load_of(const struct wf_beam *b, size_t k, struct ah
 }
 
 /* The elements that do not stand on the ground, by groups or beside those of other trees. */
-static bool many_down(struct wf_beam *b, bool tangent, const struct wf_beam_also *also)
+static bool many_down(struct wf_beam *b, bool tangent, const struct wf_beam_also *also,
+                      const struct wf_beam_growth *growth)
 {
     struct wf_groups_sweep x = groups_of(b);
     struct wf_beam_stability *count = also->count;
     x.tangent = tangent, x.guard = also->guard, x.counting = count;
-    x.other = b->sided ? b->other : NULL;
+    if (growth) x.grows = true, x.growth = *growth;
     if (count) x.margin = count->margin;
     bool whole = by_groups(b) ? wf_groups_kernel(WF_LANES_MOST)->down(&x) : wf_beam_team_down(&x);
     b->misfit = (struct wf_beam_misfit){ x.bending, x.energy, x.strain, x.turn };
@@ -207,7 +207,7 @@ static bool many_down(struct wf_beam *b, bool tangent, const struct wf_beam_also
     return whole;
 }
 
-/* What stands on the ground: its wrench, and with the tangent its reaction. */
+/* What stands on the ground: its wrench, and with the tangent (else NULL) its reaction. */
 static void ground_element(struct wf_beam *b, size_t i, const struct wf_beam_pose *base,
                            const struct wf_beam_wrench *down, const struct wf_beam_reaction *root,
                            struct wf_beam_stability *count)
@@ -222,10 +222,11 @@ static void ground_element(struct wf_beam *b, size_t i, const struct wf_beam_pos
     size_t unstable = count ? count->negative : 0;
     tilt_root(b, (size_t)b->mesh.part[i].row, down, root, count);
     if (count && count->negative > unstable) count->bears = INFINITY;
+    if (root) memcpy(b->root_side[b->mesh.part[i].row], root->side, sizeof root->side);
 }
 
 /* An element on the way down. false: its tangent is singular. */
-static bool down_element(struct wf_beam *b, size_t k, bool tangent, struct ahead *ahead, struct ahead *other,
+static bool down_element(struct wf_beam *b, size_t k, bool tangent, struct ahead *ahead,
                          struct wf_beam_also *also)
 {
     const size_t i = wf_beam_moved(b, k);
@@ -237,14 +238,14 @@ static bool down_element(struct wf_beam *b, size_t k, bool tangent, struct ahead
     const struct wf_beam_creep *creep = b->creep > 0 ? &slow : NULL;
     struct wf_line_load *load = load_of(b, k, ahead);
     struct wf_beam_wrench at[2], down;
-    struct wf_beam_reaction root = { { { 0 } }, { 0 } };
+    struct wf_beam_reaction root = { { { 0 } }, { 0 }, { 0 } };
     bool grounded = p->parent < 0, cut = on_held(b, i);
     double before = b->misfit.bending;
     for (int j = 0; j < 2; j++) memcpy(b->load[i][j], load[j].force, sizeof b->load[i][j]);
     wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
     wf_beam_misfit_add(p, &b->shape[i], base->L, creep, &b->stage[i], flat, at, &b->misfit);
     size_t unstable = also->count ? also->count->negative : 0;
-    also->other = load_of(b, k, other);
+    also->change = ahead->growth ? ahead->change[ahead->used - 1] : NULL;
     if (tangent && !eliminate_element(b, i, base->L, creep, load, at,
                                       grounded || cut ? &root : &b->node[p->parent], also))
         return false;
@@ -263,28 +264,31 @@ static bool down_element(struct wf_beam *b, size_t k, bool tangent, struct ahead
     return true;
 }
 
-/* Does the change to the other loads come with the tangent? The last of Newton's method is wanted: that in which
- * unstable directions are counted. The elimination takes the forces of links as given. */
-static bool comes_aside(const struct wf_beam *b, bool tangent, const struct wf_beam_stability *count)
+/* Does the change to the other loads come with the tangent? The last one of Newton's method is wanted: that in
+ * which unstable directions are counted. The elimination takes the forces of links as given. */
+static bool comes_aside(const struct wf_beam *b, const struct wf_beam_stability *count)
 {
-    return tangent && count && b->other && !b->links && !b->only && !(b->creep > 0);
+    const struct wf_wind *now = b->loads.wind, *then = b->other ? b->other->wind : NULL;
+    return count && now && then && now->speed > 0 && wf_wind_form(now) != WF_PROFILE_OTHER && !b->links &&
+           !b->only && !(b->creep > 0);
 }
 
-/* No change of the wrenches as yet. */
-static void clear_side(struct wf_beam *b)
+/* The change of the wind: its force grows about with the square of the speed. */
+static struct wf_beam_growth growth_of(const struct wf_beam *b)
 {
-    for (size_t i = 0; i < b->mesh.n; i++) memset(b->side[i].k, 0, sizeof b->side[i].k);
-    memset(b->root_side, 0, b->mesh.tree->n * sizeof *b->root_side);
+    const double faster = b->other->wind->speed / b->loads.wind->speed;
+    return (struct wf_beam_growth){ 0.5 * (faster * faster - 1), b->other->wind_scale / b->loads.wind_scale - 1 };
 }
 
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
     const bool groups = by_groups(b) || in_team(b);
-    if (tangent) b->sided = comes_aside(b, tangent, count);
-    const bool aside = tangent && b->sided;
-    const struct wf_lanes_kernel *kernel = wf_lanes_kernel(WF_LANES_MOST);
-    struct ahead ahead = { .loads = &b->loads, .kernel = kernel, .most = groups ? 1 : AHEAD }, other = ahead;
-    other.loads = aside ? b->other : NULL;
+    if (tangent) b->sided = comes_aside(b, count);
+    const bool grows = tangent && b->sided;
+    const struct wf_beam_growth growth = grows ? growth_of(b) : (struct wf_beam_growth){ 0 };
+    struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST),
+                           .growth = grows ? &growth : NULL,
+                           .most = groups ? 1 : AHEAD };
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     struct wf_beam_also also = { .guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy,
                                  .count = count };
@@ -294,11 +298,10 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     wf_beam_ends_load(b);
     set_side_weight(b);
     if (tangent) wf_beam_ends_react(b);
-    if (aside) clear_side(b);
-    if (groups && !many_down(b, tangent, &also)) return false;
+    if (groups && !many_down(b, tangent, &also, ahead.growth)) return false;
     for (size_t k = wf_beam_moving(b); k-- > 0;) {
         if (groups && b->mesh.part[wf_beam_moved(b, k)].parent >= 0) continue;
-        if (!down_element(b, k, tangent, &ahead, &other, &also)) return false;
+        if (!down_element(b, k, tangent, &ahead, &also)) return false;
     }
     if (b->links && !b->only && !wf_beam_links_join(b, tangent, count)) return false;
     if (count) b->stability = *count;

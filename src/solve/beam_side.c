@@ -20,14 +20,14 @@ void wf_beam_side_find(struct wf_beam *b)
     struct wf_beam_pose ground;
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
-        double base[6] = { 0 };
-        if (p->parent < 0) turn_root(b, (size_t)p->row);
-        if (p->parent < 0)
-            memcpy(base + 3, b->root_side[p->row] + 3, 3 * sizeof *base);
-        else
-            memcpy(base, b->side[p->parent].k, sizeof base);
+        double root[6] = { 0 }, *base = root;
+        if (p->parent < 0) {
+            turn_root(b, (size_t)p->row);
+            memcpy(root + 3, b->root_side[p->row] + 3, 3 * sizeof *root);
+        } else
+            base = b->change[p->parent];
         wf_beam_correct_side(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->answer[i], &b->node[i], base,
-                             &b->side[i]);
+                             b->side[i].v, b->change[i]);
     }
 }
 

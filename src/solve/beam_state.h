@@ -45,8 +45,9 @@ struct wf_beam {
     const struct wf_loads *other; /* loads to which the change is wanted with the last tangent of Newton's method
                                      (solve/beam_side.h); NULL: not wanted */
     bool sided;                   /* the last tangent came with it: */
-    struct wf_beam_side *side;
-    double (*root_side)[6]; /* per row, for roots: change of the wrench on the ground, the root keeping its place */
+    struct wf_beam_shape *side;   /* of the unknowns */
+    double (*root_side)[6];       /* per row, for roots: of the wrench on the ground, at a root that keeps its place;
+                                     then of tilt and spin of the plate */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
