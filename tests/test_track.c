@@ -141,6 +141,46 @@ static void slopes_are_derivatives(void **state)
     beam_free(&c);
 }
 
+/* Speeds at which the derivatives of two tracks are compared: with and without that of the tangent of Newton's
+ * method. Returned: the largest difference of a moment's derivative, over the largest one. */
+static double slopes_apart(struct beam_case *c, double tolerance)
+{
+    struct wf_track *k[2];
+    struct wf_tracked r[2];
+    struct wf_solve_options tight = c->options, loose = c->options;
+    double worst = 0;
+    tight.tolerance = 1e-12, loose.tolerance = tolerance;
+    assert_int_equal(wf_track_open(&c->tree, &tight, NULL, &k[0], &c->err), WF_OK);
+    assert_int_equal(wf_track_open(&c->tree, &loose, NULL, &k[1], &c->err), WF_OK);
+    for (double speed = 4; speed < 45; speed *= 1.17) {
+        const double step = 1e-7 * speed;
+        double off = 0, size = 0;
+        for (int m = 0; m < 2; m++) {
+            assert_int_equal(at_speed(c, k[m], speed, step, &r[m]), WF_OK);
+            assert_true(r[m].sided);
+        }
+        for (size_t i = 0; i < 3 * c->tree.n; i++) {
+            double d[2];
+            for (int m = 0; m < 2; m++) d[m] = (r[m].side.moment0[i] - r[m].at.moment0[i]) / step;
+            off = fmax(off, fabs(d[1] - d[0])), size = fmax(size, fabs(d[0]));
+        }
+        printf("%g off %.2e\n", speed, off / size);
+        worst = fmax(worst, off / size);
+    }
+    for (int m = 0; m < 2; m++) wf_track_close(k[m]);
+    return worst;
+}
+
+static void slopes_of_the_tangent(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    young_tree(&c);
+    c.options.mesh_tolerance = 1e-3;
+    for (double t = 3e-4; t > 1e-8; t *= 0.01) printf("tol %g: %.2e\n", t, slopes_apart(&c, t));
+    beam_free(&c);
+}
+
 /* A stem that tapers to a twig, with a crown on it: on a coarse mesh too the tip turns as on a fine one. */
 static void tip_of_a_coarse_mesh(void **state)
 {
@@ -171,6 +211,7 @@ int main(void)
     const struct CMUnitTest tests[] = { cmocka_unit_test(same_answers_in_any_order),
                                         cmocka_unit_test(rods_in_any_order),
                                         cmocka_unit_test(slopes_are_derivatives),
+                                        cmocka_unit_test(slopes_of_the_tangent),
                                         cmocka_unit_test(tip_of_a_coarse_mesh) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
