@@ -76,17 +76,26 @@ static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *p
     return WF_OK;
 }
 
-/* Of a linearised beam; `many` vectors are answered at once. */
+/* Linearise a solved beam; `many` vectors are answered at once. */
 static enum wf_status open_sway(struct sway *s, struct wf_beam *b, size_t many, struct wf_arena *work,
                                 struct wf_err *e)
 {
+    struct wf_arena factors = { 0 }; /* of the whole tangent, until what is needed of them is packed */
     size_t size = wf_beam_motion_size(b);
     *s = (struct sway){ .beam = b, .size = size, .root = wf_arena_take_unset(work, size, sizeof *s->root) };
     if (!s->root)
         return wf_fail(e, WF_ENOMEM, "not enough memory for the motions of %zu elements", b->mesh.n);
     wf_beam_motion_mass(b, s->root);
     for (size_t i = 0; i < size; i++) s->root[i] = sqrt(s->root[i]);
-    return wf_beam_inertia_open(b, s->root, many, work, &s->answer, e);
+    enum wf_status status = wf_beam_linearise(b, true, &factors, e);
+    if (!status) status = wf_beam_inertia_open(b, s->root, many, work, &s->answer, e);
+    if (b->links) { /* they answer beside the tree */
+        wf_arena_join(work, &factors);
+        return status;
+    }
+    wf_arena_free(&factors);
+    b->small = NULL, b->sides = NULL, b->root_moved = NULL;
+    return status;
 }
 
 enum { FOURS = 4 }; /* vectors whose products with another are summed at once */
@@ -264,8 +273,7 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, const struct sea
 {
     struct sway s;
     const bool motions = q->shape || q->kept;
-    enum wf_status status = wf_beam_linearise(b, true, work, e);
-    if (!status) status = open_sway(&s, b, BLOCK, work, e);
+    enum wf_status status = open_sway(&s, b, BLOCK, work, e);
     if (status) return status;
     struct found f = { .count = count,
                        .value = WF_TAKE(work, count, double),
@@ -371,7 +379,6 @@ static enum wf_status open_kept(struct wf_beam *b, struct sway *s, const struct 
     memcpy(b->shape, kept->shape, b->mesh.n * sizeof *b->shape);
     memcpy(b->tilt, kept->tilt, t->n * sizeof *b->tilt);
     status = find_equilibrium(b, work, e);
-    if (!status) status = wf_beam_linearise(b, true, work, e);
     return status ? status : open_sway(s, b, 1, work, e);
 }
 
@@ -499,7 +506,11 @@ static enum wf_status ritz_space(struct ritz *r, double width, struct wf_arena *
         if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
         wf_beam_inertia_answer(&r->s.answer, r->v[j], w);
         double before = sqrt(dot(w, w, size));
-        for (int twice = 0; twice < 2; twice++) take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
+        /* a symmetric operator leads back to the last two alone; what rounding leaves of the others is small
+         * and is taken out second */
+        const size_t two = j > 0 ? j - 1 : 0;
+        take_out_all(w, r->v + two, j + 1 - two, size, r->T + two * RITZ_MAX, RITZ_MAX, j);
+        take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
         r->n = j + 1;
         double left = sqrt(dot(w, w, size));
         bool done = !(left > 1e-12 * before) || r->n == RITZ_MAX;
@@ -554,8 +565,7 @@ enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], const double
     const struct wf_beam before = *b;
     struct ritz *r = WF_TAKE(&work, 1, struct ritz);
     enum wf_status s =
-        r ? wf_beam_linearise(b, true, &work, e) : wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-    if (!s) s = open_sway(&r->s, b, 1, &work, e);
+        r ? open_sway(&r->s, b, 1, &work, e) : wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     if (!s) s = find_sways(r, to, width, bands, &work, out, shape, e);
     wf_arena_free(&work);
     *b = before;
