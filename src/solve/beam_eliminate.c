@@ -68,7 +68,7 @@ WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_
                              const struct kinematics *k, const struct statics *q,
                              const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
                              const struct wf_beam_reaction *above, const struct shift *shift, double P[6][6],
-                             by_base Z, by_base A, const struct wf_beam_also *also, bool *apart)
+                             by_base Z, by_base A, struct wf_beam_also *also, bool *apart)
 {
     const struct columns b = columns_of(0, BY_BASE);
     double S[6][6], Mn[2][9];
@@ -79,7 +79,7 @@ WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_
     if (also->count) also->count->negative += (size_t)unstable_directions(p, S, k, also->count->margin);
     bool solved = !solve6(S, A, b);
     if (!also->guard || (solved && !leaps(A, P))) return solved;
-    *apart = true;
+    *apart = also->apart = true;
     return !bend_apart(p, flat, k, s, at, b, A);
 }
 
@@ -88,7 +88,7 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
                                 const struct wf_beam_stage *s, const struct wf_line_load load[2],
                                 const struct wf_beam_wrench at[2], struct wf_beam_reaction *node,
                                 struct wf_beam_answer *o, struct wf_beam_reaction *below,
-                                const struct wf_beam_also *also)
+                                struct wf_beam_also *also)
 {
     const struct columns b = columns_of(0, BY_BASE);
     struct turns turns;
@@ -130,7 +130,7 @@ WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shap
                                const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                                const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
                                struct wf_beam_reaction *node, struct wf_beam_answer *o,
-                               struct wf_beam_reaction *below, const struct wf_beam_also *also)
+                               struct wf_beam_reaction *below, struct wf_beam_also *also)
 {
     return eliminate_either(p, NULL, u, L, creep, s, load, at, node, o, below, also);
 }
@@ -140,7 +140,7 @@ WF_WIDE bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct w
                                     const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                                     const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
                                     struct wf_beam_reaction *node, struct wf_beam_answer *o,
-                                    struct wf_beam_reaction *below, const struct wf_beam_also *also)
+                                    struct wf_beam_reaction *below, struct wf_beam_also *also)
 {
     return eliminate_either(p, flat, u, L, creep, s, load, at, node, o, below, also);
 }

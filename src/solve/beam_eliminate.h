@@ -9,6 +9,7 @@
 struct wf_beam_also {
     bool guard; /* treat an element by itself if the linear step would move it too far (far from equilibrium;
                    the tangent is then not exact) */
+    bool apart; /* returned: some element was; else as it is */
     struct wf_beam_stability *count; /* NULL, or increased by the number of directions in which this element,
                                         with all above it, is unstable: negative pivots of its tangent in terms
                                         of strains */
@@ -26,7 +27,7 @@ bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, co
                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                        const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
                        struct wf_beam_reaction *node, struct wf_beam_answer *answer,
-                       struct wf_beam_reaction *below, const struct wf_beam_also *also);
+                       struct wf_beam_reaction *below, struct wf_beam_also *also);
 
 /* As wf_beam_eliminate for a section that is not round; flat in the deformed state. */
 bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
@@ -34,7 +35,7 @@ bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_f
                             const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                             const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
                             struct wf_beam_reaction *node, struct wf_beam_answer *answer,
-                            struct wf_beam_reaction *below, const struct wf_beam_also *also);
+                            struct wf_beam_reaction *below, struct wf_beam_also *also);
 
 /* Newton correction of an eliminated element. Given: change p of its base. Returned: dv[2][3], changes of
  * the unknowns in base axes; end[6], change of the end by *node as wf_beam_eliminate left it. */

@@ -205,7 +205,7 @@ struct work {
     real_truth guard;
     bool counting; /* in some lane */
     struct beam_misfit misfit[WF_GROUP / WF_WIDTH];
-    real_truth broken;
+    real_truth broken, apart;
 };
 
 /* An element with its state, and what of it is passed on. */
@@ -337,7 +337,7 @@ WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const stru
         for (int r = 0; r < 6; r++)
             for (int c = b.from; c < b.to; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
     }
-    w->broken |= broken & s->here;
+    w->broken |= broken & s->here, w->apart |= apart & s->here;
     return apart;
 }
 
@@ -524,6 +524,7 @@ static bool down(struct wf_groups_sweep *x)
         }
     }
     sum_up(&w, x);
+    x->apart = real_any(w.apart);
     return !real_any(w.broken);
 }
 
@@ -558,7 +559,7 @@ static void chains_down(struct wf_groups_sweep *const *x, size_t n)
         const struct beam_misfit *m = &w.misfit[0];
         x[k]->bending = real_lane(m->bending, k), x[k]->energy = real_lane(m->energy, k);
         x[k]->strain = sqrt(real_lane(m->strain, k)), x[k]->turn = sqrt(real_lane(m->turn, k));
-        x[k]->whole = !real_lane(w.broken, k);
+        x[k]->whole = !real_lane(w.broken, k), x[k]->apart = real_lane(w.apart, k);
     }
 }
 

@@ -46,6 +46,7 @@ struct wf_groups_sweep {
     /* returned by `down`, sums over the groups: as struct wf_beam_misfit and struct wf_beam_stability */
     double bending, energy, strain, turn, bears;
     size_t negative;
+    bool apart; /* by the guard an element was taken by itself */
     bool whole; /* by `chains_down`: as the answer of `down` */
 };
 

@@ -193,7 +193,7 @@ static struct wf_line_load *load_of(const struct wf_beam *b, size_t k, struct ah
 }
 
 /* The elements that do not stand on the ground, by groups or beside those of other trees. */
-static bool many_down(struct wf_beam *b, bool tangent, const struct wf_beam_also *also,
+static bool many_down(struct wf_beam *b, bool tangent, struct wf_beam_also *also,
                       const struct wf_beam_growth *growth)
 {
     struct wf_groups_sweep x = groups_of(b);
@@ -204,6 +204,7 @@ static bool many_down(struct wf_beam *b, bool tangent, const struct wf_beam_also
     bool whole = by_groups(b) ? wf_groups_kernel(WF_LANES_MOST)->down(&x) : wf_beam_team_down(&x);
     b->misfit = (struct wf_beam_misfit){ x.bending, x.energy, x.strain, x.turn };
     if (count) count->negative = x.negative, count->bears = x.bears;
+    also->apart = x.apart;
     return whole;
 }
 
@@ -264,12 +265,11 @@ static bool down_element(struct wf_beam *b, size_t k, bool tangent, struct ahead
     return true;
 }
 
-/* Does the change to the other loads come with the tangent? The last one of Newton's method is wanted: that in
- * which unstable directions are counted. The elimination takes the forces of links as given. */
-static bool comes_aside(const struct wf_beam *b, const struct wf_beam_stability *count)
+/* The elimination takes the forces of links as given. */
+bool wf_beam_has_side(const struct wf_beam *b)
 {
     const struct wf_wind *now = b->loads.wind, *then = b->other ? b->other->wind : NULL;
-    return count && now && then && now->speed > 0 && wf_wind_form(now) != WF_PROFILE_OTHER && !b->links &&
+    return now && then && now->speed > 0 && wf_wind_form(now) != WF_PROFILE_OTHER && !b->links &&
            !b->only && !(b->creep > 0);
 }
 
@@ -280,19 +280,18 @@ static struct wf_beam_growth growth_of(const struct wf_beam *b)
     return (struct wf_beam_growth){ 0.5 * (faster * faster - 1), b->other->wind_scale / b->loads.wind_scale - 1 };
 }
 
-bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
+/* guard: as of wf_beam_eliminate; an element that is then taken by itself leaves no count. The change to the
+ * other loads comes with the count: the last tangent of Newton's method is wanted. */
+static bool sweep_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
 {
-    const bool groups = by_groups(b) || in_team(b);
-    if (tangent) b->sided = comes_aside(b, count);
-    const bool grows = tangent && b->sided;
+    const bool groups = by_groups(b) || in_team(b), grows = tangent && count && wf_beam_has_side(b);
     const struct wf_beam_growth growth = grows ? growth_of(b) : (struct wf_beam_growth){ 0 };
     struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST),
                            .growth = grows ? &growth : NULL,
                            .most = groups ? 1 : AHEAD };
-    /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
-    struct wf_beam_also also = { .guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy,
-                                 .count = count };
+    struct wf_beam_also also = { .guard = guard, .count = count };
     b->misfit = (struct wf_beam_misfit){ 0 }, b->counted = b->finished = false;
+    if (tangent) b->sided = false;
     if (count) count->negative = 0, count->bears = 0;
     if (!b->only) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     wf_beam_ends_load(b);
@@ -305,8 +304,16 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     }
     if (b->links && !b->only && !wf_beam_links_join(b, tangent, count)) return false;
     if (count) b->stability = *count;
-    b->counted = count && isfinite(b->misfit.bending);
-    return isfinite(b->misfit.bending);
+    bool finite = isfinite(b->misfit.bending);
+    b->counted = count && finite && !also.apart;
+    if (grows) b->sided = finite && !also.apart;
+    return finite;
+}
+
+bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
+{
+    /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
+    return sweep_down(b, tangent, !count && b->misfit.bending > 1e-3 * b->misfit.energy, count);
 }
 
 /* The beam and Newton's method. */
@@ -611,9 +618,9 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     const double nearly = 0.8, few = 0.5;
     double before = INFINITY, relaxed_at = INFINITY;
     if (!b->only) b->tries = b->off && !b->links && !b->by_steps ? TRIES : 0;
-    b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
-    if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
+    struct wf_beam_stability count = { .margin = stability_margin(b) };
+    if (!sweep_down(b, true, true, watch && b->close ? &count : NULL)) return WF_ENOCONV;
     for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {
         if (i % STALL == 0) {
             if (b->misfit.bending > 0.5 * before) return WF_ENOCONV;

@@ -15,6 +15,8 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
 
 /* Base to tips: position and rotation of every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);
+/* Can the change to the other loads come with the tangent (solve/beam_side.h)? */
+bool wf_beam_has_side(const struct wf_beam *b);
 /* Tips to base: internal forces and residual; with `tangent` also the tangent, eliminated; with count (may
  * be NULL) also the number of unstable directions. false when the tangent is singular. */
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count);

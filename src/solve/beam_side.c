@@ -15,9 +15,15 @@ static void turn_root(struct wf_beam *b, size_t row)
     m3_apply(inverse, change + 3, change);
 }
 
-void wf_beam_side_find(struct wf_beam *b)
+bool wf_beam_side_find(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
+    if (!wf_beam_has_side(b)) return false;
+    if (!b->sided || b->finished) {
+        b->counted = b->sided = false;
+        (void)wf_beam_stable(b);
+    }
+    if (!b->sided) return false;
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
         double root[6] = { 0 }, *base = root;
@@ -29,6 +35,7 @@ void wf_beam_side_find(struct wf_beam *b)
         wf_beam_correct_side(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->answer[i], &b->node[i], base,
                              b->side[i].v, b->change[i]);
     }
+    return true;
 }
 
 bool wf_beam_side_take(struct wf_beam *b)

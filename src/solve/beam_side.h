@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_SIDE_H
 #define WF_SOLVE_BEAM_SIDE_H
-/* The change of a solution to that under other loads, which differ a little in the wind: one more right-hand
- * side of the tangent of Newton's method (b->other). */
+/* The change of a solution to that under other loads (b->other), whose wind has another speed and wind_scale
+ * and is else the same: one more right-hand side of the tangent of Newton's method. */
 #include "solve/beam_newton.h"
 
-/* The change to first order at the present shape, of all unknowns, into b->side. Given: a last sweep with a
- * tangent that came with it (b->sided), since which neither shape nor loads have changed. Overwrites nothing
- * that wf_beam_finish needs. */
-void wf_beam_side_find(struct wf_beam *b);
+/* The change to first order at the present shape, of all unknowns, into b->side and b->root_side. Given: a last
+ * sweep with a tangent, since which neither shape nor loads have changed; where the change has not come with it
+ * there is another sweep. false: it has no such change (links; a wind that is not known to grow in proportion).
+ * Overwrites nothing that wf_beam_finish or wf_beam_stable need, of which the latter takes no sweep after it. */
+bool wf_beam_side_find(struct wf_beam *b);
 
 /* Take the change from the present shape, that of wf_beam_side_find or one step of Newton's method from it, to
- * the other loads, and sweep down: from the equilibrium at loads that differ by d, the error is of order d^2
- * and of d times that step. false: the shape is not finite. */
+ * the other loads, and sweep down. The error of the difference of both is of order d^2, where the loads differ
+ * by d, and of d times what Newton's method had left. false: the shape is not finite. */
 bool wf_beam_side_take(struct wf_beam *b);
 #endif

@@ -46,6 +46,7 @@ struct wf_beam {
                                      (solve/beam_side.h); NULL: not wanted */
     bool sided;                   /* the last tangent came with it: */
     struct wf_beam_shape *side;   /* of the unknowns */
+    bool close;                   /* the start of Newton's method is likely to be within the tolerance */
     double (*root_side)[6];       /* per row, for roots: of the wrench on the ground, at a root that keeps its place;
                                      then of tilt and spin of the plate */
     double creep;

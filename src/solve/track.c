@@ -502,6 +502,15 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
     return s ? s->speed : k->speed;
 }
 
+/* Does Newton's method begin where it is likely to have converged: between solutions, or beside one? */
+static bool starts_close(struct wf_track *k, double speed)
+{
+    const double beside_one = 1.05;
+    const struct station *s = near_station(k, speed, beside_one), *beside[2];
+    stations_beside(k, speed, beside);
+    return (s && s->led) || (beside[0] && beside[1]);
+}
+
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
 
 /* Was the mesh so much better than the tolerance in one wind that it meets it in this one? The error grows
@@ -565,17 +574,19 @@ static bool step_aside(struct wf_track *k, const struct wf_loads *side, bool *st
     return wf_beam_step(&k->beam, stable);
 }
 
-/* The answer, and that at the other loads: one Newton step further at each, of which the first takes away
- * what Newton's method has left. *stable (NULL: it is known): is the equilibrium? */
+/* The answer, one Newton step further, which takes away what Newton's method has left; and that at the other
+ * loads, by the tangent of the same state, or where that has no such derivative by a Newton step at these loads.
+ * *stable (NULL: it is known): is the equilibrium? */
 static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone, bool *stable,
                                 struct wf_arena *a, struct wf_tracked *out, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
     enum wf_status s = alone ? WF_OK : wf_response_alloc(&out->side, k->tree->n, a, e);
     if (s) return s;
-    const bool known = !alone && b->sided && !b->finished; /* the last sweep came with the change to the side */
+    const bool landed = b->finished; /* the last step was such a one: there is no tangent of the shape */
+    b->other = alone ? NULL : side;
+    bool known = !alone && !landed && wf_beam_side_find(b);
     if (known && stable) *stable = wf_beam_stable(b);
-    if (known) wf_beam_side_find(b);
     if (!wf_beam_finish(b)) return WF_OK;
     wf_beam_read(b, &out->at);
     out->finished = true;
@@ -585,6 +596,10 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
         return WF_OK;
     }
     keep(k, k->lead);
+    if (landed && (known = wf_beam_side_find(b))) {
+        if (stable) *stable = wf_beam_stable(b);
+        put_back(k, k->lead);
+    }
     if (!(known ? wf_beam_side_take(b) : step_aside(k, side, stable))) return WF_OK;
     wf_beam_read(b, &out->side);
     const struct form at = k->lead; /* the last form is now that which was read; lead = side - at */
@@ -596,8 +611,8 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     return WF_OK;
 }
 
-/* Solve and read where Newton's method alone leads to an equilibrium: that it is stable shows in the sweep at
- * the other loads, which saves one. Returned: *done; where it is false, the last form is as before. */
+/* Solve and read where Newton's method alone leads to an equilibrium: that it is stable shows in the sweep
+ * that gives the derivative. Returned: *done; where it is false, the last form is as before. */
 static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
                                  const struct wf_track_start *start, struct wf_arena *a,
                                  struct wf_tracked *out, bool *done, struct wf_err *e)
@@ -609,7 +624,10 @@ static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, c
     b->iterations = b->steps = 0;
     b->loads = *l;
     b->options = &k->follow;
-    if (wf_beam_newton(b) || wf_beam_apart(b)) return WF_OK;
+    b->close = starts_close(k, wind_of(l));
+    bool failed = wf_beam_newton(b) || wf_beam_apart(b);
+    b->close = false;
+    if (failed) return WF_OK;
     keep(k, k->last);
     enum wf_status s = read_both(k, side, false, &stable, a, out, e);
     *done = !s && stable && out->sided;
