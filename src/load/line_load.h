@@ -125,7 +125,7 @@ struct air {
     real weight, dead;                 /* factors of weight and of dead loads */
     const struct wf_law_values *table;
     real grows_speed, grows_density; /* shares by which they grow (flow_growth) */
-    size_t rises; /* slopes of the table's points, if it has few */
+    size_t rises;                    /* slopes of the table's points, if it has few */
     double rise[64];
 };
 

@@ -3,6 +3,7 @@
 #define WF_SOLVE_BEAM_CONDENSE_H
 /* Inlined parts of the elimination of an element, for one state or for many lanes (base/real.h). */
 #include "solve/beam_kernel.h"
+#include <stdbool.h>
 
 /* Linearisation of one element and its elimination between its base and the part above.
  *
@@ -22,13 +23,15 @@
 enum { NOW = 6, TO_SIDE, BY_BASE };
 typedef real by_base[6][BY_BASE];
 
-/* The columns that count. Of a single state rows fill whole vector registers, where the last may be spare. */
+/* The columns that count. Of a single state rows fill whole vector registers: the last columns may be spare.
+ */
 struct columns {
     int from, to;
+    bool side; /* the last one counts */
 };
 WF_INLINE struct columns columns_of(int from, int to)
 {
-    return (struct columns){ from, WF_WIDTH == 1 ? BY_BASE : to };
+    return (struct columns){ from, WF_WIDTH == 1 ? BY_BASE : to, to > TO_SIDE };
 }
 
 /* Change of an element at its present shape where the loads grow. */
@@ -44,7 +47,8 @@ WF_INLINE void shift_of(const element *p, const struct wf_beam_stage *s, const s
     for (int j = 0; j < 2; j++) {
         const fixed d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
         real own[3], all[3], give[3], back[3];
-        for (int i = 0; i < 3; i++) own[i] = d0 * o->force[0][i] + d1 * o->force[1][i], all[i] = own[i] + above->side[i];
+        for (int i = 0; i < 3; i++)
+            own[i] = d0 * o->force[0][i] + d1 * o->force[1][i], all[i] = own[i] + above->side[i];
         v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], own, give);
         v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], all, o->gap[j]);
         wf_cross(s->rp[j], own, o->turn[j]);
@@ -75,8 +79,7 @@ WF_INLINE void put_by_base(by_base A, int from, int row, int col, const real B[9
 WF_INLINE void element_equations(const element *p, const struct wf_beam_flat *flat,
                                  const struct kinematics *k, const struct statics *q,
                                  const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
-                                 const struct shift *shift, int from, real S[6][6], by_base A,
-                                 real Mn[2][9])
+                                 const struct shift *shift, int from, real S[6][6], by_base A, real Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
         real law[3], bent[3], M[2][9], G[9], C[9], R[9];
@@ -161,8 +164,7 @@ WF_INLINE real_truth solve6(real S[6][6], by_base B, struct columns b)
  * of the mesh error, and they are its negative eigenvalues; for other loads their number changes where the
  * tree loses its static stability. (The symmetric part alone would also count shapes that are nearly free to
  * rotate.) Returned: the number, per lane. */
-WF_INLINE real unstable_directions(const element *p, real S[6][6], const struct kinematics *k,
-                                   real margin)
+WF_INLINE real unstable_directions(const element *p, real S[6][6], const struct kinematics *k, real margin)
 {
     real B[6][6], H[6][6], negative = { 0 }, limit = -margin * larger(p->ei[0], p->gj[0]);
     by_base X; /* B' X = S', so that X' = S B^-1 */
@@ -289,9 +291,9 @@ WF_INLINE real_truth leaps(by_base A, real P[6][6])
 /* An element whose step is too large is taken by itself: damped elastic bending towards its present moments,
  * rigidly following its base. Twigs beyond their buckling load thus fall over in a few iterations without
  * disturbing what carries them. */
-WF_INLINE real_truth bend_apart(const element *p, const struct wf_beam_flat *flat,
-                                const struct kinematics *k, const struct wf_beam_stage *s,
-                                const struct wf_beam_wrench at[2], struct columns b, by_base A)
+WF_INLINE real_truth bend_apart(const element *p, const struct wf_beam_flat *flat, const struct kinematics *k,
+                                const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                                struct columns b, by_base A)
 {
     static const struct statics none;
     real S[6][6], Mn[2][9];
@@ -309,8 +311,7 @@ WF_INLINE void follow_answer(fixed half, const struct statics *q, struct wf_beam
     by_base W;
     add_product(P, y, b, b.from, 0, Z); /* rows left out of Z are columns left out of K */
     for (int i = 0; i < 6; i++)
-        for (int c = b.from; c < b.to; c++)
-            W[i][c] = c < NOW ? real_of(0) : above_of(above, i, c);
+        for (int c = b.from; c < b.to; c++) W[i][c] = c < NOW ? real_of(0) : above_of(above, i, c);
     add_product(above->K, Z, b, 0, b.from, W); /* dw_end = W (p, 1) */
     add_product(S, y, b, 0, 0, B);
     for (int i = 0; i < 3; i++)

@@ -11,10 +11,10 @@ struct wf_beam_also {
                    the tangent is then not exact) */
     bool apart; /* returned: some element was; else as it is */
     struct wf_beam_stability *count; /* NULL, or increased by the number of directions in which this element,
-                                        with all above it, is unstable: negative pivots of its tangent in terms
-                                        of strains */
+                                        with all above it, is unstable: negative pivots of its tangent in
+                                        terms of strains */
     struct wf_beam_small *small;     /* NULL, or filled */
-    double (*change)[3]; /* of the loads, where they grow; NULL: they do not. Then: */
+    double (*change)[3];             /* of the loads, where they grow; NULL: they do not. Then: */
     struct wf_beam_shape *side; /* its g become the changes of the strains; `side` of the reactions and of the
                                    answer is taken and returned as k and x are */
 };

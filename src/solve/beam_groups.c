@@ -12,7 +12,7 @@
 #define NAMED_(width) wf_groups_##width
 
 /* Numbers of an element in the arrays of struct wf_groups_sweep. */
-enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 48, NO_SIDE = 42, SMALL = 150 };
+enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 48, SMALL = 150 };
 enum { PART = sizeof(element) / sizeof(real) };
 _Static_assert(sizeof(struct wf_beam_part) == offsetof(struct wf_beam_part, h) + PART * sizeof(double),
                "struct element is struct wf_beam_part from h on");
@@ -348,7 +348,7 @@ WF_INLINE void take_rows(by_base A, struct columns b, double unit, real row[REAC
     for (int r = 0; r < 6; r++) {
         for (int c = 0; c < 6; c++) row[6 * r + c] = c < b.from ? real_of(r == c ? unit : 0) : A[r][c];
         row[36 + r] = A[r][NOW];
-        row[NO_SIDE + r] = b.to > TO_SIDE ? A[r][TO_SIDE] : real_of(0);
+        row[42 + r] = b.side ? A[r][TO_SIDE] : real_of(0);
     }
 }
 
@@ -357,7 +357,7 @@ WF_INLINE void keep_reaction(const struct some *s, size_t array, struct columns 
     real row[REACTION];
     struct places to = places_of(s, array, REACTION);
     take_rows(A, b, unit, row);
-    scatter(row, b.to > TO_SIDE ? REACTION : NO_SIDE, s->n, &to);
+    scatter(row, REACTION, s->n, &to);
 }
 
 /* Rows of the end's motion that follow_answer leaves out. */
@@ -414,7 +414,7 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
     by_base A, Z, B;
     struct places at = places_of(s, ARRAY(node), REACTION);
     take(w, s, &t, shift);
-    gather(&at, grows ? REACTION : NO_SIDE, (real *)&t.above);
+    gather(&at, REACTION, (real *)&t.above);
     const real half = 0.5 * t.p.h;
     turns_of(&t.u, &o);
     kinematics_of(&t.p, &t.u, &o, t.base.L, &t.s, NULL, &k);
@@ -449,12 +449,12 @@ static __attribute__((noinline)) void eliminate_varying(struct work *w, const st
     eliminate_some(w, s, part, VARIES, false);
 }
 static __attribute__((noinline)) void eliminate_upwards_growing(struct work *w, const struct some *s,
-                                                              size_t part)
+                                                                size_t part)
 {
     eliminate_some(w, s, part, VARIES_UPWARDS, true);
 }
 static __attribute__((noinline)) void eliminate_varying_growing(struct work *w, const struct some *s,
-                                                              size_t part)
+                                                                size_t part)
 {
     eliminate_some(w, s, part, VARIES, true);
 }

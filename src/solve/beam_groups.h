@@ -59,7 +59,8 @@ struct wf_groups_kernel {
     bool (*down)(struct wf_groups_sweep *x);
     /* The same of up to `width` trees side by side, whose elements stand one on another, by falling numbers
      * of elements; those on the ground are left out. On the way down they are alike in `tangent`, `frozen`,
-     * in `small` (wanted or not), in `grows` and in the forms of their winds, and have no `off`, `weak` or ties. */
+     * in `small` (wanted or not), in `grows` and in the forms of their winds, and have no `off`, `weak` or
+     * ties. */
     void (*chains_up)(struct wf_groups_sweep *const *x, size_t n);
     void (*chains_down)(struct wf_groups_sweep *const *x, size_t n);
 };

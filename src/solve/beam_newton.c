@@ -161,7 +161,7 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
 struct ahead {
     const struct wf_lanes_kernel *kernel;
     const struct wf_beam_growth *growth; /* NULL: none */
-    size_t most; /* at once */
+    size_t most;                         /* at once */
     size_t n, used;
     struct wf_line_load load[AHEAD][2];
     double change[AHEAD][2][3]; /* by the growth */
@@ -269,15 +269,16 @@ static bool down_element(struct wf_beam *b, size_t k, bool tangent, struct ahead
 bool wf_beam_has_side(const struct wf_beam *b)
 {
     const struct wf_wind *now = b->loads.wind, *then = b->other ? b->other->wind : NULL;
-    return now && then && now->speed > 0 && wf_wind_form(now) != WF_PROFILE_OTHER && !b->links &&
-           !b->only && !(b->creep > 0);
+    return now && then && now->speed > 0 && wf_wind_form(now) != WF_PROFILE_OTHER && !b->links && !b->only &&
+           !(b->creep > 0);
 }
 
 /* The change of the wind: its force grows about with the square of the speed. */
 static struct wf_beam_growth growth_of(const struct wf_beam *b)
 {
     const double faster = b->other->wind->speed / b->loads.wind->speed;
-    return (struct wf_beam_growth){ 0.5 * (faster * faster - 1), b->other->wind_scale / b->loads.wind_scale - 1 };
+    return (struct wf_beam_growth){ 0.5 * (faster * faster - 1),
+                                    b->other->wind_scale / b->loads.wind_scale - 1 };
 }
 
 /* guard: as of wf_beam_eliminate; an element that is then taken by itself leaves no count. The change to the
@@ -335,8 +336,8 @@ static bool take_newton(struct wf_beam *b, struct wf_arena *a)
     p->root = wf_arena_take_unset(a, n, sizeof *p->root);
     p->place = wf_arena_take_unset(a, n, sizeof *p->place);
     p->saved = wf_arena_take_unset(a, n, sizeof *p->saved);
-    return b->node && b->answer && b->change && b->dv && b->side && b->root_side && (b->chain || b->off) && p->id && p->held &&
-           p->root && p->place && p->saved;
+    return b->node && b->answer && b->change && b->dv && b->side && b->root_side && (b->chain || b->off) &&
+           p->id && p->held && p->root && p->place && p->saved;
 }
 
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,

@@ -5,14 +5,17 @@
  * and is else the same: one more right-hand side of the tangent of Newton's method. */
 #include "solve/beam_newton.h"
 
-/* The change to first order at the present shape, of all unknowns, into b->side and b->root_side. Given: a last
- * sweep with a tangent, since which neither shape nor loads have changed; where the change has not come with it
- * there is another sweep. false: it has no such change (links; a wind that is not known to grow in proportion).
- * Overwrites nothing that wf_beam_finish or wf_beam_stable need, of which the latter takes no sweep after it. */
+/* The change to first order at the present shape, of all unknowns, into b->side and b->root_side. Given: a
+ * last sweep with a tangent, since which neither shape nor loads have changed; where the change has not come
+ * with it there is another sweep. false: it has no such change (links; a wind that is not known to grow in
+ * proportion). Overwrites nothing that wf_beam_finish or wf_beam_stable need, of which the latter takes no
+ * sweep after it. */
 bool wf_beam_side_find(struct wf_beam *b);
 
-/* Take the change from the present shape, that of wf_beam_side_find or one step of Newton's method from it, to
- * the other loads, and sweep down. The error of the difference of both is of order d^2, where the loads differ
- * by d, and of d times what Newton's method had left. false: the shape is not finite. */
+/* Take the change from the present shape, that of wf_beam_side_find or one step of Newton's method from it,
+ * to the other loads, and sweep down. The error of the difference of both is of order d^2, where the loads
+ * differ by d, and of d times what Newton's method had left; the stretch by what the motion adds to the
+ * forces is left out (beam_element.h), which cables make the larger part of it. false: the shape is not
+ * finite. */
 bool wf_beam_side_take(struct wf_beam *b);
 #endif

@@ -575,8 +575,8 @@ static bool step_aside(struct wf_track *k, const struct wf_loads *side, bool *st
 }
 
 /* The answer, one Newton step further, which takes away what Newton's method has left; and that at the other
- * loads, by the tangent of the same state, or where that has no such derivative by a Newton step at these loads.
- * *stable (NULL: it is known): is the equilibrium? */
+ * loads, by the tangent of the same state, or where that has no such derivative by a Newton step at these
+ * loads. *stable (NULL: it is known): is the equilibrium? */
 static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone, bool *stable,
                                 struct wf_arena *a, struct wf_tracked *out, struct wf_err *e)
 {
