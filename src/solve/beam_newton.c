@@ -292,7 +292,8 @@ bool wf_beam_take_newton(struct wf_beam *b, struct wf_arena *a)
            p->root && p->place && p->saved;
 }
 
-size_t wf_beam_feet(const struct wf_tree *t)
+/* Rows up to the last that stands on the ground. */
+static size_t feet_of(const struct wf_tree *t)
 {
     size_t n = t->n;
     while (n && t->parent[n - 1] >= 0) n--;
@@ -308,7 +309,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     if (status) return status;
     wf_beam_rest(&b->mesh, l->gravity * l->weight_scale);
     if (newton && !b->mesh.flat && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
-    const size_t n = b->mesh.n, feet = wf_beam_feet(t);
+    const size_t n = b->mesh.n, feet = b->feet = feet_of(t);
     b->chain = n > 1 && !b->mesh.flat;
     for (size_t i = 0; i < n && b->chain; i++) b->chain = b->mesh.part[i].parent == (int32_t)i - 1;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);

@@ -15,8 +15,6 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
 /* Take what Newton's method works with anew, from `newton`, for a beam without links; then sweep up. false:
  * not enough memory. */
 bool wf_beam_take_newton(struct wf_beam *b, struct wf_arena *newton);
-/* Rows up to the last that stands on the ground, mostly one: others have no root plate. */
-size_t wf_beam_feet(const struct wf_tree *t);
 
 /* Base to tips: position and rotation of every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);

@@ -30,7 +30,6 @@ struct wf_track {
     struct wf_arena work;
     struct wf_arena newton; /* what Newton's method works with: only while it is used, so that tracks that
                                are used in turn have it in common */
-    size_t feet;            /* rows that may have a root plate */
     struct wf_beam beam;
     struct wf_beam_outcome outcome;
     struct wf_wind wind; /* of the beam's loads after a solution: the caller's does not outlive it */
@@ -53,7 +52,6 @@ enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_opti
     if (!k) return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions");
     k->tree = t;
     k->like = like;
-    k->feet = wf_beam_feet(t);
     k->options = k->follow = *o;
     k->follow.iterations_max = FOLLOW_ITERATIONS;
     *out = k;
@@ -91,7 +89,7 @@ static struct form form_of(const struct wf_beam *b) { return (struct form){ b->s
 static void copy_form(const struct wf_track *k, struct form to, struct form from)
 {
     memcpy(to.shape, from.shape, k->beam.mesh.n * sizeof *to.shape);
-    memcpy(to.tilt, from.tilt, k->feet * sizeof *to.tilt);
+    memcpy(to.tilt, from.tilt, k->beam.feet * sizeof *to.tilt);
 }
 
 static void keep(const struct wf_track *k, struct form to) { copy_form(k, to, form_of(&k->beam)); }
@@ -102,13 +100,13 @@ static void add_form(const struct wf_track *k, struct form to, double share, str
 {
     for (size_t i = 0; i < k->beam.mesh.n; i++)
         for (int j = 0; j < 2; j++) v3_add(to.shape[i].v[j], share, from.shape[i].v[j]);
-    for (size_t i = 0; i < k->feet; i++) v3_add(to.tilt[i], share, from.tilt[i]);
+    for (size_t i = 0; i < k->beam.feet; i++) v3_add(to.tilt[i], share, from.tilt[i]);
 }
 
 static bool take_form(struct wf_track *k, struct form *f)
 {
     f->shape = wf_arena_take_unset(&k->work, k->beam.mesh.n, sizeof *f->shape);
-    f->tilt = wf_arena_take_unset(&k->work, k->feet, sizeof *f->tilt);
+    f->tilt = wf_arena_take_unset(&k->work, k->beam.feet, sizeof *f->tilt);
     return f->shape && f->tilt;
 }
 
@@ -267,7 +265,7 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
 static void carry_form(struct wf_track *k, struct wf_beam *own, struct form from, struct form to)
 {
     memcpy(own->shape, from.shape, own->mesh.n * sizeof *own->shape);
-    memcpy(own->tilt, from.tilt, k->feet * sizeof *own->tilt);
+    memcpy(own->tilt, from.tilt, k->beam.feet * sizeof *own->tilt);
     own->links = NULL; /* the present forces of links are those of the solution */
     wf_beam_sweep_up(own);
     wf_beam_carry(own, &k->beam);
@@ -393,7 +391,7 @@ static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct w
 static void forget_shape(struct wf_track *k)
 {
     memset(k->beam.shape, 0, k->beam.mesh.n * sizeof *k->beam.shape);
-    memset(k->beam.tilt, 0, k->feet * sizeof *k->beam.tilt);
+    memset(k->beam.tilt, 0, k->beam.feet * sizeof *k->beam.tilt);
 }
 
 /* As the beam solver begins. */
