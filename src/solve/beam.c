@@ -208,7 +208,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     compared.tolerance = fmax(o->tolerance, 0.01 * o->mesh_tolerance);
     enum wf_status status = solve_first(t, l, &compared, known, m, pieces, b, out, e);
     b->options = o;
-    if (status || !(o->mesh_tolerance > 0)) return status;
+    if (status || !(o->mesh_tolerance > 0) || wf_beam_unmoved(b)) return status;
 
     status = wf_beam_check_make(t, work, &check, e);
     if (status) return status;

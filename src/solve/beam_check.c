@@ -48,6 +48,16 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
     }
 }
 
+bool wf_beam_unmoved(const struct wf_beam *b)
+{
+    const double slight = 1e-9; /* [rad] */
+    double most = 0;
+    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, wf_dot(b->tilt[i], b->tilt[i]));
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int j = 0; j < 2; j++) most = fmax(most, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
+    return b->mesh.still && most <= slight * slight;
+}
+
 /* Position and rotation of the end of row i relative to its base, in the axes of the base; of a standing tree
  * the change from the given shape. */
 static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], double L[9])
@@ -154,9 +164,11 @@ void wf_beam_row_loads(const struct wf_beam *b, double *load)
     }
 }
 
-/* Estimated error of each row's load relative to the base reaction, assumed to fall with the power 1.3 of
- * the piece length: wind near the ground grows with a low power of height, and a load with a kink inside a
- * row converges no faster. */
+/* The error of a row's load is assumed to fall with this power of the piece length: wind near the ground
+ * grows with a low power of height, and a load with a kink inside a row converges no faster. */
+static const double load_order = 1.3;
+
+/* Estimated error of each row's load relative to the base reaction. */
 static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
                          const double *now, double *share)
 {
@@ -164,7 +176,7 @@ static double load_error(const struct wf_beam *coarse, const struct wf_beam *fin
     for (size_t i = 0; i < fine->mesh.tree->n; i++) {
         double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i), d[3];
         for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
-        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, 1.3) - 1) : 0;
+        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, load_order) - 1) : 0;
         sum += share[i];
     }
     return sum;
@@ -230,8 +242,9 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
                          int32_t *pieces)
 {
     /* a mesh is chosen for a quarter of the tolerance, so that one more is seldom solved, and taken with half
-     * of it: the rest is the estimate's own error */
-    const double aim = 0.25, enough = 2;
+     * of it: the rest is the estimate's own error; loads with all of it, whose rows' errors are summed
+     * without their signs */
+    const double aim = 0.25, enough = 2, enough_loads = 4;
     const struct wf_tree *t = fine->mesh.tree;
     double allowed = fine->options->mesh_tolerance * aim;
     double target = allowed_error(fine, allowed);
@@ -240,7 +253,7 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
     memcpy(c->before, c->load, 3 * t->n * sizeof *c->load);
     const size_t tip = wf_tip_row(t);
     bool turns = tip_lack(coarse, fine, tip) <= 1;
-    if (error <= enough * target && reactions <= enough * allowed && turns) return true;
+    if (error <= enough * target && reactions <= enough_loads * allowed && turns) return true;
     double off = reactions / allowed, more = off > 1 ? fmax(shorter(off), 2) : 1;
     (void)choose_pieces(fine, fine, c->share, target / c->depth, c->bear, more, pieces);
     if (!turns) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
@@ -259,9 +272,9 @@ static void choose_again(const struct wf_beam *b, const struct wf_beam *fine, co
     for (size_t i = 0; i < b->mesh.tree->n; i++) pieces[i] = (int32_t)alike * wf_beam_pieces(&b->mesh, i);
 }
 
-/* Does the mesh of b meet a tolerance, and where it does not, which does? fine: a solution on one twice as
- * fine. */
-static bool meets_beside(const struct wf_beam *b, const struct wf_beam *fine, struct wf_beam_check *c,
+/* The error of the mesh of b, of what is allowed, and a mesh that meets the tolerance. fine: a solution on
+ * one twice as fine. */
+static double off_beside(const struct wf_beam *b, const struct wf_beam *fine, struct wf_beam_check *c,
                          double tolerance, int32_t *pieces)
 {
     wf_beam_row_loads(b, c->before);
@@ -269,7 +282,7 @@ static bool meets_beside(const struct wf_beam *b, const struct wf_beam *fine, st
     /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
     double allowed = allowed_error(fine, tolerance);
     double error = 16 * beam_mesh_error(b, fine, c->reach, c->share) / allowed;
-    double reactions = pow(2, 1.3) * load_error(b, fine, c->before, c->load, c->bear) / tolerance;
+    double reactions = pow(2, load_order) * load_error(b, fine, c->before, c->load, c->bear) / tolerance;
     const size_t tip = wf_tip_row(b->mesh.tree);
     double turns = tip_lack(b, fine, tip);
     choose_again(b, fine, c, allowed, error, reactions, pieces);
@@ -277,25 +290,25 @@ static bool meets_beside(const struct wf_beam *b, const struct wf_beam *fine, st
     if (turns >
         1) /* to the first order of the piece length at least; of a tip that hangs free any mesh is off */
         pieces[tip] = (int32_t)fmax(pieces[tip], fmin(ceil(2 * turns) * now, most));
-    return error <= 1 && reactions <= 1 && turns <= 1;
+    return isnan(error + reactions + turns) ? INFINITY : fmax(fmax(error, reactions), turns);
 }
 
-enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, int32_t *pieces,
-                                  struct wf_err *e)
+enum wf_status wf_beam_mesh_off(const struct wf_beam *b, double tolerance, double *error, int32_t *pieces,
+                                struct wf_err *e)
 {
     const struct wf_tree *t = b->mesh.tree;
     struct wf_arena work = { 0 };
     struct wf_beam fine;
     struct wf_beam_check check;
     enum wf_status s = wf_beam_check_make(t, &work, &check, e);
-    *meets = false;
+    *error = INFINITY;
     for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * wf_beam_pieces(&b->mesh, i);
     if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
     if (!s) {
         wf_beam_carry(b, &fine);
         wf_beam_sweep_up(&fine);
         fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
-        if (wf_beam_step(&fine, NULL)) *meets = meets_beside(b, &fine, &check, tolerance, pieces);
+        if (wf_beam_step(&fine, NULL)) *error = off_beside(b, &fine, &check, tolerance, pieces);
     }
     wf_arena_free(&work);
     return s;

@@ -7,6 +7,8 @@
 
 /* Start shape of `fine` (same tree, another mesh) from the solved shape of `coarse`. */
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine);
+/* Does the tree stand in its given shape? Every mesh has that solution. */
+bool wf_beam_unmoved(const struct wf_beam *b);
 /* Comparison of solutions on a mesh and on a finer one, row by row. */
 struct wf_beam_check {
     double *reach;         /* per row: path length from its end to the farthest tip [m] */
@@ -23,9 +25,9 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
                          int32_t *pieces);
 /* Distributed load on each row as integrated on the mesh, 3n [N]. */
 void wf_beam_row_loads(const struct wf_beam *b, double *load);
-/* Does the mesh of a solved beam meet a tolerance? It is compared with a solution on a mesh twice as fine.
- * Returned: *meets; where it is false, pieces[n] of a mesh that does, no row coarser than now. Errors:
- * WF_ENOMEM. */
-enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, int32_t *pieces,
-                                  struct wf_err *e);
+/* The error of a solved beam's mesh, from a solution on a mesh twice as fine. Returned: *error, of what the
+ * tolerance allows [-] (at most 1: the mesh meets it); where it is more, pieces[n] of a mesh that does, no
+ * row coarser than now. Errors: WF_ENOMEM. */
+enum wf_status wf_beam_mesh_off(const struct wf_beam *b, double tolerance, double *error, int32_t *pieces,
+                                struct wf_err *e);
 #endif

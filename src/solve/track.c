@@ -20,7 +20,14 @@ struct station {
     double share; /* of a wind that is faster by this share */
     struct form at, lead;
 };
-enum { STATIONS = 6, GOOD = 8 };
+enum { STATIONS = 6, GOOD = 8, CHECKED = 4 };
+
+/* What is known of a mesh: winds in which it met the tolerance, the last of them. */
+struct good {
+    double pace;     /* wind speed, see pace_of [m/s]; 0: still air */
+    double along[3]; /* its direction */
+    double error;    /* of the mesh, of what the tolerance allows [-] */
+};
 
 struct wf_track {
     const struct wf_tree *tree;
@@ -35,8 +42,8 @@ struct wf_track {
     struct wf_wind wind; /* of the beam's loads after a solution: the caller's does not outlive it */
     double speed;        /* of the wind of the last solution [m/s] */
     size_t solutions;    /* on this mesh */
-    size_t good;         /* so many winds of one direction in which it met the tolerance: */
-    double good_at[GOOD], good_along[3];
+    size_t goods;        /* so many winds in which it met the tolerance */
+    struct good good[GOOD];
     bool at_last;                         /* begin at the last form of `like` */
     bool solved, rested;                  /* there is a last form, a form at rest */
     struct form last, lead, rest, before; /* before: the last one while the next is tried */
@@ -217,7 +224,7 @@ static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, co
     for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? wf_beam_pieces(mesh, i) : first;
     wf_arena_free(&k->work), wf_arena_free(&k->newton);
     k->rested = false;
-    k->solutions = 1, k->good = 0;
+    k->solutions = 1, k->goods = 0;
     enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, newton_of(k, l), e);
     wf_arena_free(&scratch);
     return s ? s : take_forms(k, e);
@@ -226,20 +233,12 @@ static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, co
 /* The speed of a wind with the same load on a stiff tree [m/s]. */
 static double pace_of(const struct wf_loads *l) { return wind_of(l) * sqrt(l->wind_scale); }
 
-/* Does the wind blow along that of which the mesh is known to be good? */
-static bool blows_so(const struct wf_track *k, const struct wf_loads *l)
-{
-    const double same = 1 - 1e-6;
-    return k->good && l->wind && wf_dot(k->good_along, l->wind->direction) > same;
-}
-
 /* The mesh meets the tolerance at these loads. */
-static void note_good(struct wf_track *k, const struct wf_loads *l)
+static void note_good(struct wf_track *k, const struct wf_loads *l, double error)
 {
-    if (!l->wind) return;
-    if (!blows_so(k, l)) k->good = 0;
-    memcpy(k->good_along, l->wind->direction, sizeof k->good_along);
-    if (k->good < GOOD) k->good_at[k->good++] = pace_of(l);
+    struct good *to = &k->good[k->goods++ % GOOD];
+    *to = (struct good){ .pace = pace_of(l), .error = error };
+    if (l->wind) memcpy(to->along, l->wind->direction, sizeof to->along);
 }
 
 /* Begin on the mesh of another track of the same tree, from its form at rest. */
@@ -250,9 +249,8 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
     const struct form *from = k->at_last ? &k->like->last : k->like->rested ? &k->like->rest : NULL;
     if (from) put_back(k, *from);
     keep(k, k->last);
-    k->good = k->like->good;
-    memcpy(k->good_at, k->like->good_at, sizeof k->good_at);
-    memcpy(k->good_along, k->like->good_along, sizeof k->good_along);
+    k->goods = k->like->goods;
+    memcpy(k->good, k->like->good, sizeof k->good);
     k->rested = k->like->rested && !k->at_last;
     if (k->rested) keep(k, k->rest);
     k->speed = k->at_last ? k->like->speed : 0;
@@ -302,7 +300,7 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->work = k->newton = (struct wf_arena){ 0 };
     k->rested = k->solved = false;
     k->stations = 0;
-    k->solutions = 1, k->good = 0;
+    k->solutions = 1, k->goods = 0;
     if (from == &k->beam) from = &before.beam;
     const struct wf_beam_known known = { from, from, before.solved ? &before.beam.mesh : NULL };
     enum wf_status s =
@@ -333,7 +331,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
             *k = before;
             return remesh(k, l, &k->beam, e);
         }
-        k->solutions = 1, k->good = 0;
+        k->solutions = 1, k->goods = 0;
         k->beam.k0 = NULL, k->beam.options = &k->options, k->beam.loads = *l;
         s = take_forms(k, e);
     }
@@ -347,7 +345,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
  * back, of which it has the tangent. */
 static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
 {
-    bool meets;
+    double error = INFINITY;
     if (one_mesh(k)) return WF_OK;
     struct wf_arena scratch = { 0 };
     struct wf_beam *b = &k->beam;
@@ -356,9 +354,10 @@ static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, s
         pieces ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
     keep(k, k->before);
     bool further = !s && wf_beam_finish(b);
-    if (!s) s = wf_beam_mesh_meets(b, k->options.mesh_tolerance, &meets, pieces, e);
+    if (!s) s = wf_beam_mesh_off(b, k->options.mesh_tolerance, &error, pieces, e);
+    const bool meets = error <= 1;
     if (!s && !meets) s = refine(k, l, pieces, e);
-    if (!s && meets) note_good(k, l);
+    if (!s && meets) note_good(k, l, error);
     if (!s && meets && further) put_back(k, k->before), wf_beam_sweep_up(b);
     wf_arena_free(&scratch);
     return s;
@@ -371,7 +370,9 @@ static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, struct
     if (!coarse(k)) return remesh(k, l, other && recall(other, wind_of(l), NULL) ? &other->beam : NULL, e);
     enum wf_status s = take_beam(k, l, NULL, e);
     if (!s) s = wf_beam_settle(&k->beam, newton_of(k, l), &k->outcome, e);
-    return s ? s : check_mesh(k, l, e);
+    if (s || !wf_beam_unmoved(&k->beam)) return s ? s : check_mesh(k, l, e);
+    k->solutions = CHECKED - 1; /* the next one is looked at */
+    return WF_OK;
 }
 
 static void take_loads(struct wf_track *k, const struct wf_loads *l)
@@ -516,19 +517,29 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
 
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
 
+/* Was the mesh so much better than the tolerance in one wind that it meets it in this one? The error grows
+ * with the wind, at most as its load; in a weaker wind it is, of the smaller displacements, about the same.
+ */
+static bool good_by_far(const struct good *g, double pace)
+{
+    const double slight = 0.1, faster = 2;
+    return g->error <= slight && g->pace > 0 && pace <= faster * g->pace;
+}
+
 /* Is the next solution to be compared with one on a finer mesh? Every fourth is, unless the mesh was found
- * good in nearly this wind, or in winds below and above it and neither far. */
+ * good by far, or in nearly this wind, or in winds below and above it and neither far. */
 static bool check_is_due(const struct wf_track *k, const struct wf_loads *l)
 {
-    enum { CHECKED = 4 };
-    const double far = 3, speed = pace_of(l);
+    const double far = 3, same = 1 - 1e-6, pace = pace_of(l);
     bool below = false, above = false;
     if (keeps_mesh(k) || (k->solutions + 1) % CHECKED) return false;
-    for (size_t i = 0; blows_so(k, l) && i < k->good && speed > 0; i++) {
-        const double at = k->good_at[i];
-        if (apart(at, speed) <= log(WF_TRACK_NEAR)) return false;
-        below = below || (at < speed && speed <= far * at);
-        above = above || (at > speed && at <= far * speed);
+    for (size_t i = 0; i < k->goods && i < GOOD && pace > 0; i++) {
+        const struct good *g = &k->good[i];
+        if (good_by_far(g, pace)) return false;
+        if (!(wf_dot(g->along, l->wind->direction) > same)) continue;
+        if (apart(g->pace, pace) <= log(WF_TRACK_NEAR)) return false;
+        below = below || (g->pace < pace && pace <= far * g->pace);
+        above = above || (g->pace > pace && g->pace <= far * pace);
     }
     return !(below && above);
 }
