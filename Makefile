@@ -47,8 +47,8 @@ obj     = $(patsubst %.c,$(B)/%.o,$(1))
 bin     = $(patsubst %.c,$(B)/%,$(1))
 
 # the kernels of several states, and of several elements of one state, side by side: each one source, compiled for
-# each width (solve/beam_lanes.h, solve/beam_groups.h)
-LANES  := $(foreach w,4 8,$(B)/src/solve/beam_lanes_$(w).o $(B)/src/solve/beam_groups_$(w).o)
+# each width (solve/beam_lanes.h, solve/beam_groups.h, solve/beam_inertia.h)
+LANES  := $(foreach w,4 8,$(foreach k,lanes groups inertia,$(B)/src/solve/beam_$(k)_$(w).o))
 
 # what editors complete and check the shipped files by, made by the program that reads them
 SCHEMAS := species/schema.json models/schema.json models/field/schema.json models/studies/schema.json
@@ -96,6 +96,7 @@ $(filter %_4.o,$(LANES)): WIDTH = 4
 $(filter %_8.o,$(LANES)): WIDTH = 8
 $(filter %/beam_lanes_4.o %/beam_lanes_8.o,$(LANES)): src/solve/beam_lanes.c
 $(filter %/beam_groups_4.o %/beam_groups_8.o,$(LANES)): src/solve/beam_groups.c
+$(filter %/beam_inertia_4.o %/beam_inertia_8.o,$(LANES)): src/solve/beam_inertia.c
 $(LANES):
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(CFLAGS) $(WIDEN) -c $< -o $@

@@ -2,6 +2,7 @@
 /* Elements of one state side by side: the groups, and the answers of one element after the other. */
 #include "beam_cases.h"
 #include "solve/beam.h"
+#include "solve/beam_inertia.h"
 #include "solve/beam_newton.h"
 #include "solve/beam_small.h"
 #include <stdlib.h>
@@ -214,12 +215,144 @@ static void same_at_any_width(void **state)
     unsetenv("WINDFIRM_LANES");
 }
 
+/* ---- The response to inertia ---- */
+
+struct inertia {
+    const double *root;
+    const wf_four *in;
+};
+
+/* Inertia of motions times the square root of the mass, as loads per length. */
+static void inertia_of(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out)
+{
+    const struct inertia *x = ctx;
+    for (size_t q = 8 * i; q < 8 * i + 8; q++) {
+        size_t j = q % 8 / 4, c = q % 4;
+        wf_four per_length = 2 / b->mesh.part[i].h * x->root[q] * x->in[q];
+        if (c < 3)
+            out->force[j][c] = per_length;
+        else
+            for (size_t k = 0; k < 3; k++) out->couple[j][k] = b->stage[i].t[j][k] * per_length;
+    }
+}
+
+/* A tree at random about some shape, linearised: with point masses, ties, links and root springs by the seed.
+ */
+static void grow_linear(struct beam_case *c, uint64_t seed, bool groups, struct wf_tie ties[2],
+                        struct wf_link *link, struct wf_beam *b)
+{
+    grow(c, seed, 20 + 5 * seed, 10);
+    for (size_t i = 0; i < c->tree.n && c->tree.mass1; i++) c->tree.mass1[i] = 0.1 * (double)(i % 3);
+    if (seed % 5 == 4) tie(c, ties);
+    if (seed % 3 == 1) {
+        *link = (struct wf_link){
+            { 3, (int32_t)c->tree.n - 1 }, .stiffness = 300, .length = 0.5, .pushes = true
+        };
+        c->loads.link = link, c->loads.links = 1;
+    }
+    begin(c, groups, b);
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int j = 0; j < 6; j++) b->shape[i].v[j / 3][j % 3] = 0.02 * sin((double)(7 * i) + j);
+    if (wf_beam_linearise(b, true, &c->arena, &c->err)) fail_msg("%s", c->err.text);
+}
+
+/* Random motions and the square roots of their masses. */
+static wf_four *random_motions(struct beam_case *c, const struct wf_beam *b, double **root)
+{
+    const size_t size = wf_beam_motion_size(b);
+    uint64_t s = 5;
+    wf_four *in = WF_TAKE(&c->arena, size, wf_four);
+    *root = WF_TAKE(&c->arena, size, double);
+    wf_beam_motion_mass(b, *root);
+    for (size_t q = 0; q < size; q++) {
+        (*root)[q] = sqrt((*root)[q]);
+        for (int v = 0; v < 4; v++) in[q][v] = beam_random(&s);
+    }
+    return in;
+}
+
+/* The same by the answer to any small load. */
+static const wf_four *response(struct beam_case *c, struct wf_beam *b, const double *root, const wf_four *in)
+{
+    const size_t n = b->mesh.n, size = wf_beam_motion_size(b);
+    wf_four(*push)[6] = wf_arena_take(&c->arena, n, sizeof *push);
+    wf_four(*ends)[6] = wf_arena_take(&c->arena, n, sizeof *ends);
+    struct wf_beam_small_answer out = { .ends = ends, .motion = WF_TAKE(&c->arena, size, wf_four) };
+    const struct inertia x = { root, in };
+    for (size_t q = 8 * n; q < size; q++) push[(q - 8 * n) / 3][(q - 8 * n) % 3] = root[q] * in[q];
+    wf_beam_answer_small(b, inertia_of, &x, (const wf_four(*)[6])push, NULL, &out);
+    for (size_t q = 8 * n; q < size; q++) out.motion[q] = ends[(q - 8 * n) / 3][(q - 8 * n) % 3];
+    for (size_t q = 0; q < size; q++) out.motion[q] *= root[q];
+    return out.motion;
+}
+
+/* Four vectors at once, and one of them alone; by groups and one element after another. */
+static void inertia_agrees(void **state)
+{
+    (void)state;
+    double worst = 0;
+    for (uint64_t seed = 0; seed < 60; seed++) {
+        struct beam_case c;
+        struct wf_beam b;
+        struct wf_tie ties[2];
+        struct wf_link link;
+        struct wf_beam_inertia four, one;
+        double *root;
+        grow_linear(&c, seed, seed % 4 != 3, ties, &link, &b);
+        const size_t size = wf_beam_motion_size(&b);
+        wf_four *in = random_motions(&c, &b, &root);
+        const wf_four *wanted = response(&c, &b, root, in);
+        double *single = WF_TAKE(&c.arena, size, double), *third = WF_TAKE(&c.arena, size, double);
+        for (size_t q = 0; q < size; q++) single[q] = in[q][2], third[q] = wanted[q][2];
+        assert_int_equal(wf_beam_inertia_open(&b, root, 4, &c.arena, &four, &c.err), WF_OK);
+        assert_int_equal(wf_beam_inertia_open(&b, root, 1, &c.arena, &one, &c.err), WF_OK);
+        wf_beam_inertia_answer(&four, (double *)in, (double *)in);
+        wf_beam_inertia_answer(&one, single, single);
+        double now = fmax(off((double *)in, (const double *)wanted, 4 * size), off(single, third, size));
+        if (!(now < 1e-9)) fail_msg("tree %d: off by %g", (int)seed, now);
+        worst = fmax(worst, now);
+        for (size_t i = 0; i < b.mesh.n; i++)
+            assert_memory_equal(wf_beam_inertia_end(&four, i, 2), wf_beam_inertia_end(&one, i, 0),
+                                6 * sizeof(double));
+        beam_free(&c);
+    }
+    printf("responses to inertia off by %.2g\n", worst);
+}
+
+static void inertia_at_any_width(void **state)
+{
+    (void)state;
+    static const char *const width[] = { "1", "4", "8" };
+    for (uint64_t seed = 0; seed < 24; seed++) {
+        struct beam_case c;
+        struct wf_beam b;
+        struct wf_tie ties[2];
+        struct wf_link link;
+        struct wf_beam_inertia x;
+        double *root;
+        wf_four *out[3];
+        grow_linear(&c, seed, true, ties, &link, &b);
+        const wf_four *in = random_motions(&c, &b, &root);
+        const size_t size = wf_beam_motion_size(&b);
+        assert_int_equal(wf_beam_inertia_open(&b, root, 4, &c.arena, &x, &c.err), WF_OK);
+        for (int k = 0; k < 3; k++) {
+            setenv("WINDFIRM_LANES", width[k], 1);
+            out[k] = WF_TAKE(&c.arena, size, wf_four);
+            wf_beam_inertia_answer(&x, (const double *)in, (double *)out[k]);
+        }
+        for (int k = 1; k < 3; k++) assert_memory_equal(out[k], out[0], size * sizeof **out);
+        beam_free(&c);
+    }
+    unsetenv("WINDFIRM_LANES");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_element_once), cmocka_unit_test(no_groups_of_a_stem),
-        cmocka_unit_test(sweeps_agree),       cmocka_unit_test(equilibria_agree),
-        cmocka_unit_test(same_at_any_width),
+        cmocka_unit_test(every_element_once),   cmocka_unit_test(no_groups_of_a_stem),
+        cmocka_unit_test(sweeps_agree),         cmocka_unit_test(equilibria_agree),
+        cmocka_unit_test(same_at_any_width),    cmocka_unit_test(inertia_agrees),
+        cmocka_unit_test(inertia_at_any_width),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

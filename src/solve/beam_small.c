@@ -63,8 +63,8 @@ WF_INLINE void answer_all_down(struct wf_beam *b, disturbance_source *source, co
     }
 }
 
-/* Base to tips: motions, times `root` unless it is NULL. */
-WF_INLINE void answer_all_up(struct wf_beam *b, const double *root, wf_four *motion)
+/* Base to tips: motions. */
+WF_INLINE void answer_all_up(struct wf_beam *b, wf_four *motion)
 {
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
@@ -72,7 +72,6 @@ WF_INLINE void answer_all_up(struct wf_beam *b, const double *root, wf_four *mot
         answer_up(p, &b->stage[i], &b->answer[i], &b->small[i],
                   p->parent >= 0 ? b->sides[p->parent].y : b->root_moved[p->row], v,
                   motion ? motion + 8 * i : NULL);
-        for (size_t c = 0; c < 8 && root; c++) motion[8 * i + c] *= root[8 * i + c];
     }
 }
 
@@ -94,79 +93,13 @@ WF_WIDE void wf_beam_answer_small(struct wf_beam *b, disturbance_source *source,
     push_ends(b, node);
     answer_all_down(b, source, ctx, root, out->ground);
     if (b->links) {
-        answer_all_up(b, NULL, NULL);
+        answer_all_up(b, NULL);
         memset(out->ground, 0, sizeof out->ground);
         push_ends(b, node);
         wf_beam_links_answer(b);
         answer_all_down(b, source, ctx, root, out->ground);
     }
-    answer_all_up(b, NULL, out->motion);
+    answer_all_up(b, out->motion);
     for (size_t i = 0; out->ends && i < b->mesh.n; i++)
         memcpy(out->ends[i], b->sides[i].y, sizeof *out->ends);
-}
-
-size_t wf_beam_motion_size(const struct wf_beam *b) { return b->mesh.n * (b->mesh.mass1 ? 11 : 8); }
-
-/* Motions times the square root of their mass, and that root. */
-struct inertia {
-    const double *root;
-    const wf_four *in;
-};
-
-/* Their inertia at the Gauss points, per length: the mass there is half the element's length times that per
- * length. */
-WF_INLINE void inertia_disturbance(const void *ctx, const struct wf_beam *b, size_t i,
-                                   struct wf_beam_disturbance *out)
-{
-    const struct inertia *x = ctx;
-    const wf_four *in = x->in + 8 * i;
-    const double *root = x->root + 8 * i, per_length = 2 / b->mesh.part[i].h;
-    for (int j = 0; j < 2; j++) {
-        wf_four spin = per_length * root[4 * j + 3] * in[4 * j + 3];
-        for (int c = 0; c < 3; c++) {
-            out->force[j][c] = per_length * root[4 * j + c] * in[4 * j + c];
-            out->couple[j][c] = spin * b->stage[i].t[j][c];
-        }
-    }
-}
-
-WF_INLINE void push_masses(struct wf_beam *b, const double *root, const wf_four *in)
-{
-    const size_t n = b->mesh.n;
-    for (size_t i = 0; i < n; i++) {
-        memset(b->sides[i].push, 0, sizeof b->sides[i].push);
-        for (size_t c = 8 * n + 3 * i; b->mesh.mass1 && c < 8 * n + 3 * i + 3; c++)
-            b->sides[i].push[c - 8 * n - 3 * i] = root[c] * in[c];
-    }
-}
-
-WF_WIDE void wf_beam_inertia_answer(struct wf_beam *b, const double *root, const wf_four *in, wf_four *out)
-{
-    const size_t n = b->mesh.n;
-    const struct inertia x = { root, in };
-    wf_four ground[6] = { 0 };
-    push_masses(b, root, in);
-    answer_all_down(b, inertia_disturbance, &x, NULL, ground);
-    if (b->links) {
-        answer_all_up(b, NULL, NULL);
-        push_masses(b, root, in);
-        wf_beam_links_answer(b);
-        answer_all_down(b, inertia_disturbance, &x, NULL, ground);
-    }
-    answer_all_up(b, root, out);
-    for (size_t i = 0; b->mesh.mass1 && i < n; i++)
-        for (size_t c = 0; c < 3; c++) out[8 * n + 3 * i + c] = root[8 * n + 3 * i + c] * b->sides[i].y[c];
-}
-
-void wf_beam_motion_mass(const struct wf_beam *b, double *mass)
-{
-    size_t n = b->mesh.n;
-    for (size_t i = 0; i < n; i++) {
-        const struct wf_beam_part *p = &b->mesh.part[i];
-        for (size_t j = 0; j < 2; j++) {
-            for (size_t c = 0; c < 3; c++) mass[8 * i + 4 * j + c] = 0.5 * p->h * p->line[j].mass;
-            mass[8 * i + 4 * j + 3] = 0.5 * p->h * p->spin[j];
-        }
-        for (size_t c = 0; b->mesh.mass1 && c < 3; c++) mass[8 * n + 3 * i + c] = b->mesh.mass1[i];
-    }
 }

@@ -2,7 +2,7 @@
 #ifndef WF_SOLVE_BEAM_SMALL_H
 #define WF_SOLVE_BEAM_SMALL_H
 /* First-order response of a solved tree to a disturbance of its equilibrium: sensitivities without finite
- * differences, and the flexibility that natural frequencies need. */
+ * differences. */
 #include "base/vec3.h"
 #include "solve/beam_newton.h"
 #include "solve/beam_path.h"
@@ -36,19 +36,4 @@ void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3]);
 /* Turn vectors that are fixed to the section at the Gauss points of element i from the given shape to the
  * present one. */
 void wf_beam_turn_along(const struct wf_beam *b, size_t i, const double given[2][3], double turned[2][3]);
-
-/* Small motions about a solved state (wf_beam_linearise, wind frozen): mass at the Gauss points, and the
- * tree's response to inertia there. */
-
-/* Length of a motion vector. A motion is, per element and for each of its two Gauss points, displacement (3)
- * and twist about the axis; then, where the tree has point masses, the displacement of each element's end. */
-size_t wf_beam_motion_size(const struct wf_beam *b);
-
-/* The tree's response to inertia in symmetric form: out = sqrt(mass) flexibility sqrt(mass) in, for motions
- * `in` times sqrt(mass). root: sqrt(mass) of each entry; out may be `in`. b->sides[].y: displacement and spin
- * of the element ends. */
-void wf_beam_inertia_answer(struct wf_beam *b, const double *root, const wf_four *in, wf_four *out);
-
-/* Mass of each entry of a motion [kg], of twist [kg m2]; rotary inertia in bending is omitted. */
-void wf_beam_motion_mass(const struct wf_beam *b, double *mass);
 #endif

@@ -195,7 +195,7 @@ static bool is_skew(const struct krylov *k, size_t from, size_t to)
 /* Room for a block that is to be added to the space. */
 static wf_four *spare_block(struct krylov *k)
 {
-    if (!k->spare) k->spare = WF_TAKE(k->arena, k->l->size, wf_four);
+    if (!k->spare) k->spare = wf_arena_take_unset(k->arena, k->l->size, sizeof *k->spare);
     return k->spare;
 }
 
@@ -257,7 +257,7 @@ static enum wf_status open_space(struct krylov *k, struct wf_err *e)
 {
     const struct wf_lanczos *l = k->l;
     const size_t most = k->most;
-    wf_four *w = WF_TAKE(k->arena, l->size, wf_four);
+    wf_four *w = wf_arena_take_unset(k->arena, l->size, sizeof *w);
     double R[BLOCK][BLOCK];
     k->V = WF_TAKE(k->arena, most, wf_four *), k->lane = WF_TAKE(k->arena, most, size_t);
     k->T = WF_TAKE(k->arena, most * most, double), k->Q = WF_TAKE(k->arena, most * most, double);
@@ -269,6 +269,7 @@ static enum wf_status open_space(struct krylov *k, struct wf_err *e)
     l->apply(l->ctx, w, k->spare);
     orthogonalise(k, k->spare, R);
     admit_block(k, R);
+    if (!k->spare) k->spare = w;
     return WF_OK;
 }
 
@@ -333,37 +334,53 @@ static enum wf_status search_space(struct krylov *k, struct wf_err *e)
     return WF_OK; /* no motion at all */
 }
 
-/* x = combination of the columns for Ritz pair i */
-static void ritz_vector(const struct krylov *k, size_t i, double *x)
+/* x += combination of the columns of block i for a Ritz pair */
+WF_WIDE static void add_block(const wf_four *v, const wf_four *part, size_t size, double *x)
+{
+    const wf_four p = *part;
+    for (size_t j = 0; j < size; j++) {
+        wf_four y = v[j] * p;
+        x[j] += (y[0] + y[1]) + (y[2] + y[3]);
+    }
+}
+
+/* Ritz vectors of the first `count` pairs, each block being fetched once. */
+static void ritz_vectors(const struct krylov *k, size_t count, double *vector)
 {
     const size_t size = k->l->size;
-    memset(x, 0, size * sizeof *x);
-    for (size_t j = 0; j < k->used; j++) {
-        const wf_four *v = k->V[k->lane[j] / BLOCK];
-        const size_t b = k->lane[j] % BLOCK;
-        for (size_t c = 0; c < size; c++) x[c] += k->Q[j * k->most + i] * v[c][b];
+    memset(vector, 0, count * size * sizeof *vector);
+    for (size_t b = 0, j = 0; b < k->blocks; b++) {
+        const size_t first = j;
+        while (j < k->used && k->lane[j] / BLOCK == b) j++;
+        for (size_t from = 0; from < size; from += PIECE)
+            for (size_t i = 0; i < count; i++) {
+                size_t n = size - from < PIECE ? size - from : PIECE;
+                wf_four part = { 0 };
+                for (size_t c = first; c < j; c++) part[k->lane[c] % BLOCK] = k->Q[c * k->most + i];
+                add_block(k->V[b] + from, &part, n, vector + i * size + from);
+            }
     }
 }
 
 enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vector, struct wf_arena *a,
                           struct wf_err *e)
 {
-    struct krylov k = {
-        .l = l, .arena = a, .most = l->most ? l->most : 10 * l->wanted + 60, .due = true, .drift_most = vector ? 1e-12 : 1e-9
-    };
+    struct krylov k = { .l = l,
+                        .arena = a,
+                        .most = l->most ? l->most : 10 * l->wanted + 60,
+                        .due = true,
+                        .drift_most = vector ? 1e-12 : 1e-9 };
     if (k.most > l->size) k.most = l->size;
     wf_quiet_begin();
     enum wf_status status = open_space(&k, e);
     if (!status) status = search_space(&k, e);
     wf_quiet_end();
     if (status == WF_ENOMEM) return status;
-    for (size_t i = 0; i < l->wanted; i++) {
-        value[i] = i < k.used ? k.value[i] : NAN;
-        if (!vector) continue;
-        if (i < k.used)
-            ritz_vector(&k, i, vector + i * l->size);
-        else
-            memset(vector + i * l->size, 0, l->size * sizeof *vector);
+    for (size_t i = 0; i < l->wanted; i++) value[i] = i < k.used ? k.value[i] : NAN;
+    if (vector) {
+        const size_t some = k.used < l->wanted ? k.used : l->wanted;
+        ritz_vectors(&k, some, vector);
+        memset(vector + some * l->size, 0, (l->wanted - some) * l->size * sizeof *vector);
     }
     if (status == WF_ENOCONV) return wf_fail(e, status, "natural frequencies did not converge");
     return status;

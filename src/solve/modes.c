@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "solve/beam.h"
+#include "solve/beam_inertia.h"
 #include "solve/beam_rest.h"
 #include "solve/beam_small.h"
 #include "solve/lanczos.h"
@@ -15,21 +16,21 @@
 /* Natural frequencies. */
 
 enum { BLOCK = WF_LANCZOS_BLOCK };
-_Static_assert((int)WF_LANCZOS_BLOCK == (int)WF_BEAM_SIDES,
-               "the beam solves for one block of vectors at once");
+_Static_assert((int)WF_LANCZOS_BLOCK <= (int)WF_INERTIA_MOST,
+               "the beam answers to a block of vectors at once");
 
 /* Flexibility x mass in symmetric form: with x = sqrt(mass) u, A = sqrt(mass) flexibility sqrt(mass). */
 struct sway {
-    struct wf_beam *beam;
+    const struct wf_beam *beam;
+    struct wf_beam_inertia answer;
     size_t size;
     double *root; /* square root of the mass */
-    wf_four *x;   /* motions */
 };
 
 static void sway(void *ctx, const wf_four *in, wf_four *out)
 {
-    struct sway *s = ctx;
-    wf_beam_inertia_answer(s->beam, s->root, in, out);
+    const struct sway *s = ctx;
+    wf_beam_inertia_answer(&s->answer, (const double *)in, (double *)out);
 }
 
 /* Equilibrium of the motions: Newton from the beam's present shape; only if that fails, wf_beam_settle. An
@@ -75,17 +76,26 @@ static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *p
     return WF_OK;
 }
 
-static enum wf_status open_sway(struct sway *s, struct wf_beam *b, struct wf_arena *work, struct wf_err *e)
+/* Linearise a solved beam; `many` vectors are answered at once. */
+static enum wf_status open_sway(struct sway *s, struct wf_beam *b, size_t many, struct wf_arena *work,
+                                struct wf_err *e)
 {
+    struct wf_arena factors = { 0 }; /* of the whole tangent, until what is needed of them is packed */
     size_t size = wf_beam_motion_size(b);
-    *s = (struct sway){
-        .beam = b, .size = size, .root = WF_TAKE(work, size, double), .x = WF_TAKE(work, size, wf_four)
-    };
-    if (!s->root || !s->x)
+    *s = (struct sway){ .beam = b, .size = size, .root = wf_arena_take_unset(work, size, sizeof *s->root) };
+    if (!s->root)
         return wf_fail(e, WF_ENOMEM, "not enough memory for the motions of %zu elements", b->mesh.n);
     wf_beam_motion_mass(b, s->root);
     for (size_t i = 0; i < size; i++) s->root[i] = sqrt(s->root[i]);
-    return WF_OK;
+    enum wf_status status = wf_beam_linearise(b, true, &factors, e);
+    if (!status) status = wf_beam_inertia_open(b, s->root, many, work, &s->answer, e);
+    if (b->links) { /* they answer beside the tree */
+        wf_arena_join(work, &factors);
+        return status;
+    }
+    wf_arena_free(&factors);
+    b->small = NULL, b->sides = NULL, b->root_moved = NULL;
+    return status;
 }
 
 enum { FOURS = 4 }; /* vectors whose products with another are summed at once */
@@ -166,82 +176,120 @@ static double rigid_motion(const struct sway *s, const double to[3], bool turnin
     return square;
 }
 
-/* Overturning by the inertia of the modes, of unit norm, in `order`. */
-static enum wf_status keep_turns(const struct sway *s, const double *vector, const size_t *order,
-                                 size_t count, struct wf_arena *work, struct wf_modes_kept *kept,
-                                 struct wf_err *e)
+/* How well the motions are found, and what is wanted of them. */
+struct search {
+    double tolerance;
+    size_t most; /* vectors; 0: as many as it takes */
+    /* beside the frequencies; each may be NULL: */
+    double *shape; /* of the rows' ends: of modal mass 1 where `part` is wanted, else largest component 1 */
+    struct wf_modes_kept *kept;
+    struct wf_modes_part *part;
+    const double *to; /* for `part` */
+};
+
+/* What was found: motions of unit norm, times the square root of the mass; `order`: by rising frequency. */
+struct found {
+    size_t count;
+    double *value, *vector;
+    size_t *order;
+};
+
+/* Motion i of unit norm. */
+static const double *motion_of(const struct sway *s, const struct found *f, size_t i)
+{
+    return f->vector + f->order[i] * s->size;
+}
+
+/* The motions, and their overturning by inertia. */
+static enum wf_status keep_motions(const struct sway *s, const struct found *f, struct wf_arena *work,
+                                   struct wf_modes_kept *kept, struct wf_err *e)
 {
     double *rigid = WF_TAKE(work, s->size, double);
     if (!rigid) return wf_fail(e, WF_ENOMEM, "not enough memory for the overturning of the modes");
     for (size_t d = 0; d < 2; d++) {
         const double to[3] = { d == 0, d == 1, 0 };
         (void)rigid_motion(s, to, true, rigid);
-        for (size_t i = 0; i < count; i++) {
-            const double *x = vector + order[i] * s->size;
+        for (size_t i = 0; i < f->count; i++) {
+            const double *x = motion_of(s, f, i);
             kept->turn[2 * i + d] = dot(x, rigid, s->size) / sqrt(dot(x, x, s->size));
         }
     }
+    for (size_t i = 0; i < f->count; i++)
+        for (size_t k = 0; k < s->size; k++)
+            kept->motion[i * s->size + k] = s->root[k] > 0 ? motion_of(s, f, i)[k] / s->root[k] : 0;
     return WF_OK;
 }
 
-/* Displacements of the rows' ends in the `many` modes whose motions are in s->x: the response to their
- * inertia. */
-static void read_shapes(struct sway *s, size_t many, double *shape)
+/* Displacements of the rows' ends: the response to the inertia of the motions. */
+static enum wf_status read_shapes(const struct sway *s, const struct found *f, const struct search *q,
+                                  struct wf_arena *work, struct wf_err *e)
 {
-    const struct wf_beam *b = s->beam;
-    size_t n = b->mesh.tree->n;
-    wf_beam_inertia_answer(s->beam, s->root, s->x, s->x);
-    for (size_t i = 0; i < many; i++) {
-        double most = 0, *x = shape + 3 * n * i;
-        for (size_t r = 0; r < 3 * n; r++) {
-            x[r] = b->sides[b->mesh.last[r / 3]].y[r % 3][i];
-            if (fabs(x[r]) > fabs(most)) most = x[r];
+    const struct wf_beam_mesh *m = &s->beam->mesh;
+    const size_t size = 3 * m->tree->n;
+    wf_four *x = WF_TAKE(work, s->size, wf_four);
+    if (!x) return wf_fail(e, WF_ENOMEM, "not enough memory for the shapes of the modes");
+    for (size_t i = 0; i < f->count; i++) {
+        const size_t lane = i % BLOCK;
+        const double *in = motion_of(s, f, i);
+        for (size_t k = 0; k < s->size; k++) x[k][lane] = in[k];
+        if (lane + 1 < BLOCK && i + 1 < f->count) continue;
+        wf_beam_inertia_answer(&s->answer, (double *)x, (double *)x);
+        for (size_t j = i - lane; j <= i; j++) {
+            double most = 0, *shape = q->shape + size * j, value = f->value[f->order[j]];
+            for (size_t r = 0; r < size; r++) {
+                size_t end = (size_t)m->last[r / 3];
+                shape[r] = wf_beam_inertia_end(&s->answer, end, j % BLOCK)[r % 3];
+                if (fabs(shape[r]) > fabs(most)) most = shape[r];
+            }
+            for (size_t r = 0; r < size && most != 0; r++) shape[r] /= q->part ? value : most;
         }
-        for (size_t r = 0; r < 3 * n && most != 0; r++) x[r] /= most;
     }
+    return WF_OK;
 }
 
-/* How well the motions are found. */
-struct effort {
-    double tolerance;
-    size_t most; /* vectors; 0: as many as it takes */
-};
+/* The shares of the modes, whose modal mass is 1. */
+static enum wf_status read_parts(const struct sway *s, const struct found *f, const struct search *q,
+                                 struct wf_arena *work, struct wf_err *e)
+{
+    const double axis[3][3] = { { q->to[0], q->to[1], 0 }, { -q->to[1], q->to[0], 0 }, { 0, 0, 1 } };
+    double *rigid = WF_TAKE(work, s->size, double);
+    if (!rigid) return wf_fail(e, WF_ENOMEM, "not enough memory for what the modes move");
+    for (size_t d = 0; d < 5; d++) {
+        (void)rigid_motion(s, axis[d % 3], d >= 3, rigid);
+        for (size_t i = 0; i < f->count; i++) {
+            double part = dot(motion_of(s, f, i), rigid, s->size);
+            if (d < 3)
+                q->part[i].mass[d] = part;
+            else
+                q->part[i].turn[d - 3] = part;
+        }
+    }
+    return WF_OK;
+}
 
-/* Frequencies on the beam's mesh, and what is wanted of their motions: shape and kept may be NULL. */
-static enum wf_status modes_on(struct wf_beam *b, size_t count, const struct effort *effort,
-                               struct wf_arena *work, double *frequency, double *shape,
-                               struct wf_modes_kept *kept, struct wf_err *e)
+/* Frequencies on the beam's mesh, and what is wanted of their motions. */
+static enum wf_status modes_on(struct wf_beam *b, size_t count, const struct search *q, struct wf_arena *work,
+                               double *frequency, struct wf_err *e)
 {
     struct sway s;
-    size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
-    enum wf_status status = wf_beam_linearise(b, true, work, e);
-    if (!status) status = open_sway(&s, b, work, e);
+    const bool motions = q->shape || q->kept;
+    enum wf_status status = open_sway(&s, b, BLOCK, work, e);
     if (status) return status;
-    double *value = WF_TAKE(work, count, double),
-           *vector = shape || kept ? WF_TAKE(work, count * size, double) : NULL;
-    size_t *order = WF_TAKE(work, count, size_t);
-    if (!value || ((shape || kept) && !vector) || !order)
+    struct found f = { .count = count,
+                       .value = WF_TAKE(work, count, double),
+                       .vector = motions ? WF_TAKE(work, count * s.size, double) : NULL,
+                       .order = WF_TAKE(work, count, size_t) };
+    if (!f.value || (motions && !f.vector) || !f.order)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
-    struct wf_lanczos l = { .size = size,
-                            .apply = sway,
-                            .ctx = &s,
-                            .wanted = count,
-                            .tolerance = effort->tolerance,
-                            .most = effort->most };
-    if ((status = wf_lanczos(&l, value, vector, work, e))) return status;
-    order_by_frequency(value, order, count);
-    if (kept && (status = keep_turns(&s, vector, order, count, work, kept, e))) return status;
-    for (size_t i = 0; i < count; i++) {
-        size_t lane = i % BLOCK;
-        const double *x = vector ? vector + order[i] * size : NULL;
-        frequency[i] = hertz(value[order[i]]);
-        for (size_t k = 0; kept && k < size; k++)
-            kept->motion[i * size + k] = s.root[k] > 0 ? x[k] / s.root[k] : 0;
-        for (size_t k = 0; shape && k < size; k++) s.x[k][lane] = x[k];
-        if (shape && (lane + 1 == BLOCK || i + 1 == count))
-            read_shapes(&s, lane + 1, shape + 3 * n * (i - lane));
-    }
-    return WF_OK;
+    struct wf_lanczos l = {
+        .size = s.size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = q->tolerance, .most = q->most
+    };
+    if ((status = wf_lanczos(&l, f.value, f.vector, work, e))) return status;
+    order_by_frequency(f.value, f.order, count);
+    for (size_t i = 0; i < count; i++) frequency[i] = hertz(f.value[f.order[i]]);
+    if (q->kept) status = keep_motions(&s, &f, work, q->kept, e);
+    if (!status && q->part) status = read_parts(&s, &f, q, work, e);
+    return !status && q->shape ? read_shapes(&s, &f, q, work, e) : status;
 }
 
 /* Pieces for the next mesh; false when the error is within tolerance. The error of a frequency falls with
@@ -258,10 +306,9 @@ static bool choose_finer_mesh(const double *coarse, const double *fine, size_t c
     return true;
 }
 
-static enum wf_status modes_within(const struct effort *effort, const struct wf_tree *t,
-                                   const struct wf_loads *l, const struct wf_solve_options *o, size_t count,
-                                   struct wf_arena *a, double *frequency, double *shape,
-                                   struct wf_modes_kept *kept, struct wf_err *e)
+static enum wf_status modes_within(const struct search *q, const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_solve_options *o, size_t count, struct wf_arena *a,
+                                   double *frequency, struct wf_err *e)
 {
     enum { MESHES = 6 };
     struct wf_arena work = { 0 };
@@ -277,8 +324,8 @@ static enum wf_status modes_within(const struct effort *effort, const struct wf_
         status = wf_beam_init(&b, t, l, o, pieces, &work, &work, e);
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
         if (!status) status = find_equilibrium(&b, &work, e);
-        if (!status && kept) status = keep_equilibrium(&b, pieces, count, a, kept, e);
-        if (!status) status = modes_on(&b, count, effort, &work, frequency, shape, kept, e);
+        if (!status && q->kept) status = keep_equilibrium(&b, pieces, count, a, q->kept, e);
+        if (!status) status = modes_on(&b, count, q, &work, frequency, e);
         if (status || !(o->mesh_tolerance > 0)) break;
         if (mesh == 0)
             for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
@@ -293,19 +340,33 @@ static enum wf_status modes_within(const struct effort *effort, const struct wf_
     return status;
 }
 
-static const struct effort rough = { 1e-5, 0 }, sharp = { 1e-8, 0 };
+/* Residual of a motion; its frequency errs by the square. */
+static const double rough = 1e-5, sharp = 1e-8;
 
 enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, size_t count, struct wf_arena *a,
                              double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
-    return modes_within(&sharp, t, l, o, count, a, frequency, shape, kept, e);
+    const struct search q = { .tolerance = sharp, .shape = shape, .kept = kept };
+    return modes_within(&q, t, l, o, count, a, frequency, e);
 }
 
 enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
                         size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e)
 {
-    return modes_within(&rough, t, l, o, count, a, frequency, shape, NULL, e);
+    const struct search q = { .tolerance = rough, .shape = shape };
+    return modes_within(&q, t, l, o, count, a, frequency, e);
+}
+
+enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
+                              const struct wf_solve_options *o, size_t most, size_t *count,
+                              const double to[2], struct wf_arena *a, double *frequency,
+                              struct wf_modes_part *out, double *shape, struct wf_err *e)
+{
+    const struct search q = { .tolerance = rough, .most = most, .shape = shape, .part = out, .to = to };
+    enum wf_status s = modes_within(&q, t, l, o, *count, a, frequency, e);
+    while (!s && *count && isnan(frequency[*count - 1])) --*count; /* the mesh has no more motions */
+    return s;
 }
 
 /* A beam in the equilibrium that was kept. */
@@ -314,12 +375,11 @@ static enum wf_status open_kept(struct wf_beam *b, struct sway *s, const struct 
                                 const struct wf_modes_kept *kept, struct wf_arena *work, struct wf_err *e)
 {
     enum wf_status status = wf_beam_init(b, t, l, o, kept->pieces, work, work, e);
-    if (!status) status = open_sway(s, b, work, e);
     if (status) return status;
     memcpy(b->shape, kept->shape, b->mesh.n * sizeof *b->shape);
     memcpy(b->tilt, kept->tilt, t->n * sizeof *b->tilt);
     status = find_equilibrium(b, work, e);
-    return status ? status : wf_beam_linearise(b, true, work, e);
+    return status ? status : open_sway(s, b, 1, work, e);
 }
 
 enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
@@ -329,16 +389,18 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
     struct wf_arena work = { 0 };
     struct wf_beam b;
     struct sway s;
-    double up = 0, down = 0;
+    double up = 0, down = 0, *x = NULL;
     enum wf_status status = open_kept(&b, &s, t, l, o, kept, &work, e);
+    if (!status && !(x = WF_TAKE(&work, s.size, double)))
+        status = wf_fail(e, WF_ENOMEM, "not enough memory for a mode");
     if (!status) {
         const double *u = kept->motion + k * kept->size;
         for (size_t i = 0; i < s.size; i++) {
-            s.x[i][0] = s.root[i] * u[i];
-            down += s.x[i][0] * s.x[i][0];
+            x[i] = s.root[i] * u[i];
+            down += x[i] * x[i];
         }
-        wf_beam_inertia_answer(&b, s.root, s.x, s.x);
-        for (size_t i = 0; i < s.size; i++) up += s.root[i] * u[i] * s.x[i][0];
+        wf_beam_inertia_answer(&s.answer, x, x);
+        for (size_t i = 0; i < s.size; i++) up += s.root[i] * u[i] * x[i];
         *frequency = hertz(up / down);
     }
     wf_arena_free(&work);
@@ -356,14 +418,6 @@ struct ritz {
     double share[2]; /* of the widest band, in smaller spaces */
     size_t n;
 };
-
-static void apply_once(struct sway *s, const double *in, double *out)
-{
-    memset(s->x, 0, s->size * sizeof *s->x);
-    for (size_t i = 0; i < s->size; i++) s->x[i][0] = in[i];
-    wf_beam_inertia_answer(s->beam, s->root, s->x, s->x);
-    for (size_t i = 0; out && i < s->size; i++) out[i] = s->x[i][0];
-}
 
 /* Eigenvalues and eigenvectors (columns of Q) of the projected operator. */
 static enum wf_status ritz_pairs(struct ritz *r, struct wf_err *e)
@@ -448,11 +502,15 @@ static enum wf_status ritz_space(struct ritz *r, double width, struct wf_arena *
 {
     const size_t size = r->s.size;
     for (size_t j = 0; j < RITZ_MAX; j++) {
-        double *w = r->v[j + 1] = WF_TAKE(work, size, double);
+        double *w = r->v[j + 1] = wf_arena_take_unset(work, size, sizeof *w);
         if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-        apply_once(&r->s, r->v[j], w);
+        wf_beam_inertia_answer(&r->s.answer, r->v[j], w);
         double before = sqrt(dot(w, w, size));
-        for (int twice = 0; twice < 2; twice++) take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
+        /* a symmetric operator leads back to the last two alone; what rounding leaves of the others is small
+         * and is taken out second */
+        const size_t two = j > 0 ? j - 1 : 0;
+        take_out_all(w, r->v + two, j + 1 - two, size, r->T + two * RITZ_MAX, RITZ_MAX, j);
+        take_out_all(w, r->v, j + 1, size, r->T, RITZ_MAX, j);
         r->n = j + 1;
         double left = sqrt(dot(w, w, size));
         bool done = !(left > 1e-12 * before) || r->n == RITZ_MAX;
@@ -470,17 +528,17 @@ static enum wf_status ritz_space(struct ritz *r, double width, struct wf_arena *
 static void band_shape(struct ritz *r, size_t middle, double width, double inertia, double *motion,
                        double *shape)
 {
-    const struct wf_beam *b = r->s.beam;
+    const struct wf_beam_mesh *m = &r->s.beam->mesh;
+    double part[RITZ_MAX] = { 0 };
+    for (size_t i = 0; i < r->n; i++)
+        for (size_t j = 0; j < r->n && in_band(r, middle, i, width); j++)
+            part[j] += r->Q[i] * r->Q[j * r->n + i] * sqrt(inertia) / r->value[i];
     memset(motion, 0, r->s.size * sizeof *motion);
-    for (size_t i = 0; i < r->n; i++) {
-        if (!in_band(r, middle, i, width)) continue;
-        for (size_t j = 0; j < r->n; j++) {
-            double part = r->Q[i] * r->Q[j * r->n + i] * sqrt(inertia) / r->value[i];
-            for (size_t k = 0; k < r->s.size; k++) motion[k] += part * r->v[j][k];
-        }
-    }
-    apply_once(&r->s, motion, NULL);
-    for (size_t k = 0; k < 3 * b->mesh.tree->n; k++) shape[k] = b->sides[b->mesh.last[k / 3]].y[k % 3][0];
+    for (size_t j = 0; j < r->n; j++)
+        for (size_t k = 0; k < r->s.size; k++) motion[k] += part[j] * r->v[j][k];
+    wf_beam_inertia_answer(&r->s.answer, motion, motion);
+    for (size_t k = 0; k < 3 * m->tree->n; k++)
+        shape[k] = wf_beam_inertia_end(&r->s.answer, (size_t)m->last[k / 3], 0)[k % 3];
 }
 
 static enum wf_status find_sways(struct ritz *r, const double to[3], const double *width, size_t bands,
@@ -507,72 +565,12 @@ enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], const double
     const struct wf_beam before = *b;
     struct ritz *r = WF_TAKE(&work, 1, struct ritz);
     enum wf_status s =
-        r ? wf_beam_linearise(b, true, &work, e) : wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-    if (!s) s = open_sway(&r->s, b, &work, e);
+        r ? open_sway(&r->s, b, 1, &work, e) : wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
     if (!s) s = find_sways(r, to, width, bands, &work, out, shape, e);
     wf_arena_free(&work);
     *b = before;
     wf_beam_sweep_up(b);
     return s;
-}
-
-/* What kept modes move. */
-
-/* Mode k: its shares, and the displacements of the rows' ends where its modal mass is 1. */
-static void part_of_mode(struct sway *s, const struct wf_modes_kept *kept, size_t k, double *const rigid[],
-                         double *in, struct wf_modes_part *out, double *shape)
-{
-    const struct wf_beam *b = s->beam;
-    const double *u = kept->motion + k * kept->size;
-    for (size_t i = 0; i < s->size; i++) in[i] = s->root[i] * u[i];
-    double norm = sqrt(dot(in, in, s->size));
-    for (size_t i = 0; i < s->size; i++) in[i] /= norm;
-    for (size_t d = 0; d < 3; d++) out->mass[d] = dot(in, rigid[d], s->size);
-    for (size_t d = 0; d < 2; d++) out->turn[d] = dot(in, rigid[3 + d], s->size);
-    apply_once(s, in, NULL);
-    double value = 0;
-    for (size_t i = 0; i < s->size; i++) value += in[i] * s->x[i][0];
-    for (size_t i = 0; i < 3 * b->mesh.tree->n; i++)
-        shape[i] = b->sides[b->mesh.last[i / 3]].y[i % 3][0] / value;
-}
-
-/* Parts of the modes that were kept. */
-static enum wf_status kept_parts(const struct wf_tree *t, const struct wf_loads *l,
-                                 const struct wf_solve_options *o, const struct wf_modes_kept *kept,
-                                 size_t count, const double to[2], struct wf_modes_part *out, double *shape,
-                                 struct wf_err *e)
-{
-    const double axis[3][3] = { { to[0], to[1], 0 }, { -to[1], to[0], 0 }, { 0, 0, 1 } };
-    struct wf_arena work = { 0 };
-    struct wf_beam b;
-    struct sway s;
-    double *rigid[5], *in = NULL;
-    bool room = true;
-    enum wf_status status = open_kept(&b, &s, t, l, o, kept, &work, e);
-    if (!status) {
-        in = WF_TAKE(&work, s.size, double);
-        for (size_t i = 0; i < 5; i++) room = (rigid[i] = WF_TAKE(&work, s.size, double)) && room;
-        if (!in || !room) status = wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
-    }
-    if (!status) {
-        for (size_t i = 0; i < 5; i++) (void)rigid_motion(&s, axis[i % 3], i >= 3, rigid[i]);
-        for (size_t k = 0; k < count; k++)
-            part_of_mode(&s, kept, k, rigid, in, &out[k], shape + 3 * t->n * k);
-    }
-    wf_arena_free(&work);
-    return status;
-}
-
-enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
-                              const struct wf_solve_options *o, size_t most, size_t *count,
-                              const double to[2], struct wf_arena *a, double *frequency,
-                              struct wf_modes_part *out, double *shape, struct wf_err *e)
-{
-    struct wf_modes_kept kept;
-    const struct effort effort = { rough.tolerance, most };
-    enum wf_status s = modes_within(&effort, t, l, o, *count, a, frequency, NULL, &kept, e);
-    while (!s && *count && isnan(frequency[*count - 1])) --*count; /* the mesh has no more motions */
-    return s ? s : kept_parts(t, l, o, &kept, *count, to, out, shape, e);
 }
 
 /* Self-buckling. */

@@ -517,13 +517,13 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
 
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
 
-/* Was the mesh so much better than the tolerance in one wind that it meets it in this one? The error grows
- * with the wind, at most as its load; in a weaker wind it is, of the smaller displacements, about the same.
- */
+/* Was the mesh so much better than the tolerance in one wind that it meets it in this one, from any
+ * direction? Its error grows at most as the load of a stronger wind; in a weaker one, of whose smaller
+ * displacements it is a share, it grows slowly. */
 static bool good_by_far(const struct good *g, double pace)
 {
-    const double slight = 0.1, faster = 2;
-    return g->error <= slight && g->pace > 0 && pace <= faster * g->pace;
+    const double most = 0.4, ratio = pace / g->pace;
+    return g->pace > 0 && g->error * fmax(ratio * ratio, sqrt(1 / ratio)) <= most;
 }
 
 /* Is the next solution to be compared with one on a finer mesh? Every fourth is, unless the mesh was found
