@@ -65,6 +65,26 @@ static void spare_blocks_are_zeroed(void **state)
     }
 }
 
+/* The same of blocks that are larger than any step, and of arenas that are content with a smaller one. */
+static void large_spare_blocks_are_zeroed(void **state)
+{
+    (void)state;
+    const size_t n = 40000000;
+    for (size_t round = 0; round < 3; round++) {
+        struct wf_arena a = { 0 }, other = { 0 };
+        unsigned char *first = wf_arena_take(&a, round + 1, 100), *p = wf_arena_take(&a, n - round, 1);
+        unsigned char *more = wf_arena_take(&other, n / 100, 1 + round);
+        assert_true(first && p && more);
+        for (size_t i = 0; i < n - round; i++)
+            if (p[i]) fail_msg("round %zu: byte %zu of %zu is not zero", round, i, n);
+        for (size_t i = 0; i < n / 100; i++) assert_int_equal(more[i], 0);
+        memset(p, 0xA5, n - round), memset(more, 0xA5, n / 100);
+        wf_arena_free(&a);
+        wf_arena_free(&other);
+    }
+    wf_arena_drop_spare();
+}
+
 /* The same takes succeed at one capacity and are refused cleanly at every smaller one. */
 static bool takes(size_t limit, size_t *used)
 {
@@ -331,6 +351,7 @@ int main(void)
         cmocka_unit_test(first_error_wins),
         cmocka_unit_test(arena_is_aligned_and_zeroed),
         cmocka_unit_test(spare_blocks_are_zeroed),
+        cmocka_unit_test(large_spare_blocks_are_zeroed),
         cmocka_unit_test(arena_refuses_at_every_smaller_capacity),
         cmocka_unit_test(findings_are_kept_in_order),
         cmocka_unit_test(findings_are_sorted_by_place),

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/mman.h>
 
+/* Sizes of blocks, with their heads [bytes] */
 enum { ALIGN = 64, FIRST_BLOCK = 1 << 14, LARGEST_STEP = 1 << 24 };
 
 struct wf_arena_block {
@@ -16,7 +17,9 @@ struct wf_arena_block {
     unsigned char *room; /* aligned start of the payload */
     size_t size, used;   /* of the payload [bytes] */
     size_t dirty;        /* so many bytes of it may not be zero */
+    size_t mapped;       /* bytes from the system, in large pages; 0: from the heap */
 };
+static const size_t head = sizeof(struct wf_arena_block) + ALIGN;
 
 /* Blocks that were freed, for the next arena: solutions follow each other with as much memory each, and new
  * pages from the operating system cost a tenth of their time. None where an address sanitizer is to notice
@@ -38,15 +41,29 @@ static struct {
     size_t bytes;
 } spare = { .lock = PTHREAD_MUTEX_INITIALIZER };
 
-/* A block of at least that size and not much more; NULL: none is spare. */
-static struct wf_arena_block *take_spare(size_t size)
+/* The smallest block of at least that size and not much more, of several the last that was freed; where there
+ * is none, the largest that has room for `bytes`. NULL: neither is spare. */
+static struct wf_arena_block *take_spare(size_t size, size_t bytes)
 {
+    struct wf_arena_block **fits = NULL, **less = NULL, *b = NULL;
     pthread_mutex_lock(&spare.lock);
-    struct wf_arena_block **at = &spare.first, *b;
-    while ((b = *at) && (b->size < size || b->size / 2 > size)) at = &b->older;
-    if (b) *at = b->older, spare.bytes -= b->size;
+    for (struct wf_arena_block **at = &spare.first; *at; at = &(*at)->older) {
+        const size_t has = (*at)->size;
+        if (has >= size && has / 2 <= size && (!fits || has < (*fits)->size)) fits = at;
+        if (has < size && has >= bytes && (!less || has > (*less)->size)) less = at;
+    }
+    if (!fits) fits = less;
+    if (fits) b = *fits, *fits = b->older, spare.bytes -= b->size;
     pthread_mutex_unlock(&spare.lock);
     return b;
+}
+
+static void give_back(struct wf_arena_block *b)
+{
+    if (b->mapped)
+        (void)munmap(b, b->mapped);
+    else
+        free(b);
 }
 
 void wf_arena_drop_spare(void)
@@ -57,7 +74,7 @@ void wf_arena_drop_spare(void)
     pthread_mutex_unlock(&spare.lock);
     for (struct wf_arena_block *older; b; b = older) {
         older = b->older;
-        free(b);
+        give_back(b);
     }
 }
 
@@ -65,49 +82,66 @@ static void free_block(struct wf_arena_block *b)
 {
     if (b->dirty < b->used) b->dirty = b->used;
     b->used = 0;
-    bool keep = b->size >= SPARE_LEAST && b->size <= LARGEST_STEP;
+    bool keep = b->size >= SPARE_LEAST;
     if (keep) {
         pthread_mutex_lock(&spare.lock);
         keep = spare.bytes + b->size <= SPARE_MOST;
         if (keep) b->older = spare.first, spare.first = b, spare.bytes += b->size;
         pthread_mutex_unlock(&spare.lock);
     }
-    if (!keep) free(b);
+    if (!keep) give_back(b);
 }
 
-/* Large blocks are read from end to end many times: with large pages that takes fewer page faults and fewer
+/* Large blocks are read from end to end many times: in large pages that takes fewer page faults and fewer
  * address look-ups. Only a hint, without effect where the system has no such pages. Not beyond the first 256
  * MB of an arena: a virtual machine can take longer to find that many large pages than they save. */
-static void ask_for_large_pages(const struct wf_arena *a, void *block, size_t bytes)
+enum { LARGE_PAGE = 1 << 21, LARGE_MOST = 1 << 28 };
+
+/* Zeroed memory of whole large pages. NULL: the system has none so. */
+static void *map_large(size_t bytes)
 {
-#ifdef MADV_HUGEPAGE
-    const uintptr_t page = (uintptr_t)1 << 21;
-    uintptr_t start = ((uintptr_t)block + page - 1) & ~(page - 1);
-    uintptr_t end = ((uintptr_t)block + bytes) & ~(page - 1);
-    if (end > start && a->used < (size_t)1 << 28) (void)madvise((void *)start, end - start, MADV_HUGEPAGE);
+#if defined(MADV_HUGEPAGE) && defined(MAP_ANONYMOUS)
+    if (SPARE_MOST == 0 || bytes > SIZE_MAX - LARGE_PAGE) return NULL;
+    unsigned char *p =
+        mmap(NULL, bytes + LARGE_PAGE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (p == MAP_FAILED) return NULL;
+    const size_t before = (LARGE_PAGE - (uintptr_t)p % LARGE_PAGE) % LARGE_PAGE;
+    if (before) (void)munmap(p, before);
+    if (before < LARGE_PAGE) (void)munmap(p + before + bytes, LARGE_PAGE - before);
+    (void)madvise(p + before, bytes, MADV_HUGEPAGE);
+    return p + before;
 #else
-    (void)a, (void)block, (void)bytes;
+    (void)bytes;
+    return NULL;
 #endif
 }
 
-/* Allocate a new block with room for at least `bytes`. Each block is twice as large as the one before, up to
- * LARGEST_STEP, so few are needed. calloc, because the operating system zeroes the pages of a large block
- * only when they are first used. */
+/* A new block of that size. calloc, because the operating system zeroes the pages of a large block only when
+ * they are first used. */
+static struct wf_arena_block *new_block(const struct wf_arena *a, size_t size)
+{
+    const size_t bytes = size + head;
+    struct wf_arena_block *b = NULL;
+    if (bytes % LARGE_PAGE == 0 && a->used < LARGE_MOST && (b = map_large(bytes))) b->mapped = bytes;
+    if (!b && !(b = calloc(1, bytes))) return NULL;
+    uintptr_t start = (uintptr_t)(b + 1);
+    b->room = (unsigned char *)(b + 1) + (ALIGN - start % ALIGN) % ALIGN;
+    b->size = size;
+    return b;
+}
+
+/* Add a block with room for at least `bytes`: twice as large as the one before, up to LARGEST_STEP, so few
+ * are needed; a large one has whole large pages. */
 static struct wf_arena_block *arena_block(struct wf_arena *a, size_t bytes)
 {
-    size_t size = a->block ? a->block->size * 2 : FIRST_BLOCK;
+    size_t size = a->block ? 2 * (a->block->size + head) : FIRST_BLOCK;
+    if (bytes > SIZE_MAX - head - LARGE_PAGE) return NULL;
     if (size > LARGEST_STEP) size = LARGEST_STEP;
-    if (size < bytes) size = bytes;
-    const size_t head = sizeof(struct wf_arena_block) + ALIGN;
-    if (size > SIZE_MAX - head) return NULL;
-    struct wf_arena_block *b = size >= SPARE_LEAST ? take_spare(size) : NULL;
-    if (!b) {
-        if (!(b = calloc(1, size + head))) return NULL;
-        ask_for_large_pages(a, b, size + head);
-        uintptr_t start = (uintptr_t)(b + 1);
-        b->room = (unsigned char *)(b + 1) + (ALIGN - start % ALIGN) % ALIGN;
-        b->size = size;
-    }
+    if (size < bytes + head) size = bytes + head;
+    if (size > LARGE_PAGE / 2) size += (LARGE_PAGE - size % LARGE_PAGE) % LARGE_PAGE;
+    size -= head;
+    struct wf_arena_block *b = size >= SPARE_LEAST ? take_spare(size, bytes) : NULL;
+    if (!b && !(b = new_block(a, size))) return NULL;
     b->older = a->block;
     a->block = b;
     return b;

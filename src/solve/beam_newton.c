@@ -319,11 +319,21 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 
 /* The beam and Newton's method. */
 
-/* What Newton's method works with, which writes all before it reads it. */
-static bool take_newton(struct wf_beam *b, struct wf_arena *a)
+/* Forces and where they act: a sweep writes all before it reads it. */
+static bool take_forces(struct wf_beam *b, struct wf_arena *a)
+{
+    const size_t n = b->mesh.n;
+    b->stage = wf_arena_take_unset(a, n, sizeof *b->stage);
+    b->wrench = wf_arena_take_unset(a, n, sizeof *b->wrench);
+    b->load = wf_arena_take_unset(a, n, sizeof *b->load);
+    return b->stage && b->wrench && b->load;
+}
+
+bool wf_beam_take_newton(struct wf_beam *b, struct wf_arena *a)
 {
     const size_t n = b->mesh.n;
     struct wf_beam_only *p = &b->part;
+    if (!take_forces(b, a)) return false;
     b->node = wf_arena_take_unset(a, n, sizeof *b->node);
     b->answer = wf_arena_take_unset(a, n, sizeof *b->answer);
     b->change = wf_arena_take_unset(a, n, sizeof *b->change);
@@ -340,6 +350,14 @@ static bool take_newton(struct wf_beam *b, struct wf_arena *a)
            p->id && p->held && p->root && p->place && p->saved;
 }
 
+/* Rows up to the last that stands on the ground. */
+static size_t feet_of(const struct wf_tree *t)
+{
+    size_t n = t->n;
+    while (n && t->parent[n - 1] >= 0) n--;
+    return n;
+}
+
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e)
@@ -349,24 +367,20 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     if (status) return status;
     wf_beam_rest(&b->mesh, l->gravity * l->weight_scale);
     if (newton && !b->mesh.flat && (status = wf_beam_groups_make(&b->mesh, a, &b->groups, e))) return status;
-    struct wf_arena *forces = newton ? newton : a;
-    size_t n = b->mesh.n;
+    const size_t n = b->mesh.n, feet = b->feet = feet_of(t);
     b->chain = n > 1 && !b->mesh.flat;
     for (size_t i = 0; i < n && b->chain; i++) b->chain = b->mesh.part[i].parent == (int32_t)i - 1;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
-    b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
-    b->root_change = wf_arena_take(a, t->n, sizeof *b->root_change);
-    b->root_give = wf_arena_take(a, t->n, sizeof *b->root_give);
-    b->root_hold = wf_arena_take(a, t->n, sizeof *b->root_hold);
+    b->root_step = wf_arena_take(a, feet, sizeof *b->root_step);
+    b->root_change = wf_arena_take(a, feet, sizeof *b->root_change);
+    b->root_give = wf_arena_take(a, feet, sizeof *b->root_give);
+    b->root_hold = wf_arena_take(a, feet, sizeof *b->root_hold);
     b->shape = WF_TAKE(a, n, struct wf_beam_shape);
     b->pose = WF_TAKE(a, n, struct wf_beam_pose);
-    b->stage = WF_TAKE(forces, n, struct wf_beam_stage);
     if (b->mesh.flat) b->flat = WF_TAKE(a, n, struct wf_beam_flat);
-    b->wrench = WF_TAKE(forces, n, struct wf_beam_wrench);
-    b->load = wf_arena_take(forces, n, sizeof *b->load);
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
-        !b->pose || !b->stage || !b->wrench || !b->load || (newton && !take_newton(b, newton)) ||
-        (b->mesh.flat && !b->flat))
+        !b->pose || (b->mesh.flat && !b->flat) ||
+        !(newton ? wf_beam_take_newton(b, newton) : take_forces(b, a)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
     return l->links && newton ? wf_beam_links_take(b, a, newton, e) : WF_OK;
 }

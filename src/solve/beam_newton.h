@@ -12,6 +12,9 @@
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
                             struct wf_arena *newton, struct wf_err *e);
+/* Take what Newton's method works with anew, from `newton`, for a beam without links; then sweep up. false:
+ * not enough memory. */
+bool wf_beam_take_newton(struct wf_beam *b, struct wf_arena *newton);
 
 /* Base to tips: position and rotation of every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);

@@ -21,11 +21,12 @@ struct wf_beam {
     bool chain;                   /* several elements, round, each on the one before: no branches */
     struct wf_loads loads;        /* a copy: load steps change its scale factors */
     const struct wf_solve_options *options;
+    size_t feet;                 /* rows that may stand on the ground, the first, mostly one */
     double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
-    double (*root_step)[3];      /* per row, for roots: Newton correction of tilt */
-    double (*root_change)[6];    /* per row, for roots: change of the base pose by that correction */
-    double (*root_give)[9];      /* per row, for roots: spin of the plate by moment */
-    double (*root_hold)[6][3];   /* per row, for roots: wrench on the ground by spin of the plate */
+    double (*root_step)[3];      /* per row of `feet`, for roots, as those below: Newton correction of tilt */
+    double (*root_change)[6];    /* change of the base pose by that correction */
+    double (*root_give)[9];      /* spin of the plate by moment */
+    double (*root_hold)[6][3];   /* wrench on the ground by spin of the plate */
     struct wf_beam_shape *shape; /* per element, as all below */
     struct wf_beam_pose *pose;   /* of the element's end */
     struct wf_beam_stage *stage;

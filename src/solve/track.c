@@ -36,6 +36,8 @@ struct wf_track {
     struct wf_solve_options options,
         follow; /* follow: Newton from a neighbour converges soon or not at all */
     struct wf_arena work;
+    struct wf_arena newton; /* what Newton's method works with: only while it is used, so that tracks that
+                               are used in turn have it in common */
     struct wf_beam beam;
     struct wf_beam_outcome outcome;
     struct wf_wind wind; /* of the beam's loads after a solution: the caller's does not outlive it */
@@ -66,6 +68,17 @@ enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_opti
 
 void wf_track_begin_at_last(struct wf_track *k) { k->at_last = true; }
 
+/* Memory for Newton's method on the present mesh. With links it is part of their state. */
+static bool take_newton(struct wf_track *k)
+{
+    return !k->beam.mesh.n || k->beam.links || wf_beam_take_newton(&k->beam, &k->newton);
+}
+
+static struct wf_arena *newton_of(struct wf_track *k, const struct wf_loads *l)
+{
+    return l->links ? &k->work : &k->newton;
+}
+
 void wf_track_close(struct wf_track *k)
 {
     if (k) wf_arena_free(&k->work);
@@ -84,7 +97,7 @@ static struct form form_of(const struct wf_beam *b) { return (struct form){ b->s
 static void copy_form(const struct wf_track *k, struct form to, struct form from)
 {
     memcpy(to.shape, from.shape, k->beam.mesh.n * sizeof *to.shape);
-    memcpy(to.tilt, from.tilt, k->tree->n * sizeof *to.tilt);
+    memcpy(to.tilt, from.tilt, k->beam.feet * sizeof *to.tilt);
 }
 
 static void keep(const struct wf_track *k, struct form to) { copy_form(k, to, form_of(&k->beam)); }
@@ -95,13 +108,13 @@ static void add_form(const struct wf_track *k, struct form to, double share, str
 {
     for (size_t i = 0; i < k->beam.mesh.n; i++)
         for (int j = 0; j < 2; j++) v3_add(to.shape[i].v[j], share, from.shape[i].v[j]);
-    for (size_t i = 0; i < k->tree->n; i++) v3_add(to.tilt[i], share, from.tilt[i]);
+    for (size_t i = 0; i < k->beam.feet; i++) v3_add(to.tilt[i], share, from.tilt[i]);
 }
 
 static bool take_form(struct wf_track *k, struct form *f)
 {
     f->shape = wf_arena_take_unset(&k->work, k->beam.mesh.n, sizeof *f->shape);
-    f->tilt = wf_arena_take_unset(&k->work, k->tree->n, sizeof *f->tilt);
+    f->tilt = wf_arena_take_unset(&k->work, k->beam.feet, sizeof *f->tilt);
     return f->shape && f->tilt;
 }
 
@@ -182,18 +195,20 @@ static void lead_on(const struct wf_track *k, struct form to, const struct stati
     if (s->led) add_form(k, to, (pow(speed / s->speed, growth) - 1) / (s->share * growth), s->lead);
 }
 
-/* Let the last form be that of the solution nearest to a speed, moved there along its derivative: where it is
- * nearer than `own` (NULL: any near one). false: none is. */
+/* Let the last form of a track that is not solving be that of the solution nearest to a speed, moved there
+ * along its derivative: where it is nearer than `own` (NULL: any near one). false: none is. */
 static bool recall(struct wf_track *k, double speed, const struct station *own)
 {
     const double nearer = 1.2, much = 4;
     const struct station *s = near_station(k, speed, nearer);
     if (!s || (own && !(much * apart(s->speed, speed) < apart(own->speed, speed)))) return false;
+    if (!take_newton(k)) return false;
     copy_form(k, k->last, s->at);
     lead_on(k, k->last, s, speed);
     k->speed = s->led ? speed : s->speed;
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
+    wf_arena_free(&k->newton);
     return true;
 }
 
@@ -208,10 +223,10 @@ static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, co
     int32_t first = wf_beam_first_pieces(k->tree, &k->options);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
     for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? wf_beam_pieces(mesh, i) : first;
-    wf_arena_free(&k->work);
+    wf_arena_free(&k->work), wf_arena_free(&k->newton);
     k->rested = false;
     k->solutions = 1, k->goods = 0;
-    enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
+    enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, newton_of(k, l), e);
     wf_arena_free(&scratch);
     return s ? s : take_forms(k, e);
 }
@@ -249,7 +264,7 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
 static void carry_form(struct wf_track *k, struct wf_beam *own, struct form from, struct form to)
 {
     memcpy(own->shape, from.shape, own->mesh.n * sizeof *own->shape);
-    memcpy(own->tilt, from.tilt, k->tree->n * sizeof *own->tilt);
+    memcpy(own->tilt, from.tilt, k->beam.feet * sizeof *own->tilt);
     own->links = NULL; /* the present forces of links are those of the solution */
     wf_beam_sweep_up(own);
     wf_beam_carry(own, &k->beam);
@@ -283,17 +298,17 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
                              struct wf_err *e)
 {
     struct wf_track before = *k;
-    k->work = (struct wf_arena){ 0 };
+    k->work = k->newton = (struct wf_arena){ 0 };
     k->rested = k->solved = false;
     k->stations = 0;
     k->solutions = 1, k->goods = 0;
     if (from == &k->beam) from = &before.beam;
     const struct wf_beam_known known = { from, from, before.solved ? &before.beam.mesh : NULL };
     enum wf_status s =
-        wf_beam_solve(k->tree, l, &k->options, &known, &k->work, &k->work, &k->beam, &k->outcome, e);
+        wf_beam_solve(k->tree, l, &k->options, &known, &k->work, newton_of(k, l), &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
     if (!s) carry_forms(k, &before);
-    wf_arena_free(&before.work);
+    wf_arena_free(&before.work), wf_arena_free(&before.newton);
     return s;
 }
 
@@ -306,15 +321,15 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
 {
     struct wf_track before = *k;
     struct wf_arena scratch = { 0 };
-    k->work = (struct wf_arena){ 0 };
+    k->work = k->newton = (struct wf_arena){ 0 };
     k->rested = false;
-    enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
+    enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, newton_of(k, l), e);
     if (!s) {
         k->beam.other = before.beam.other;
         wf_beam_carry(&before.beam, &k->beam);
         k->beam.iterations = before.beam.iterations, k->beam.steps = before.beam.steps;
         if (!comes_to_rest(k, l, &scratch)) {
-            wf_arena_free(&scratch), wf_arena_free(&k->work);
+            wf_arena_free(&scratch), wf_arena_free(&k->work), wf_arena_free(&k->newton);
             *k = before;
             return remesh(k, l, &k->beam, e);
         }
@@ -323,7 +338,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
         s = take_forms(k, e);
     }
     if (!s) carry_forms(k, &before);
-    wf_arena_free(&scratch), wf_arena_free(&before.work);
+    wf_arena_free(&scratch), wf_arena_free(&before.work), wf_arena_free(&before.newton);
     return s;
 }
 
@@ -356,7 +371,7 @@ static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, struct
 {
     if (!coarse(k)) return remesh(k, l, other && recall(other, wind_of(l), NULL) ? &other->beam : NULL, e);
     enum wf_status s = take_beam(k, l, NULL, e);
-    if (!s) s = wf_beam_settle(&k->beam, &k->work, &k->outcome, e);
+    if (!s) s = wf_beam_settle(&k->beam, newton_of(k, l), &k->outcome, e);
     if (s || !wf_beam_unmoved(&k->beam)) return s ? s : check_mesh(k, l, e);
     k->solutions = CHECKED - 1; /* the next one is looked at */
     return WF_OK;
@@ -379,7 +394,7 @@ static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct w
 static void forget_shape(struct wf_track *k)
 {
     memset(k->beam.shape, 0, k->beam.mesh.n * sizeof *k->beam.shape);
-    memset(k->beam.tilt, 0, k->tree->n * sizeof *k->beam.tilt);
+    memset(k->beam.tilt, 0, k->beam.feet * sizeof *k->beam.tilt);
 }
 
 /* As the beam solver begins. */
@@ -513,13 +528,13 @@ static bool starts_close(struct wf_track *k, double speed)
 
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
 
-/* Was the mesh so much better than the tolerance in one wind that it meets it in this one? The error grows
- * with the wind, at most as its load; in a weaker wind it is, of the smaller displacements, about the same.
- */
+/* Was the mesh so much better than the tolerance in one wind that it meets it in this one, from any
+ * direction? Its error grows at most as the load of a stronger wind; in a weaker one, of whose smaller
+ * displacements it is a share, it grows slowly. */
 static bool good_by_far(const struct good *g, double pace)
 {
-    const double slight = 0.1, faster = 2;
-    return g->error <= slight && g->pace > 0 && pace <= faster * g->pace;
+    const double most = 0.4, ratio = pace / g->pace;
+    return g->pace > 0 && g->error * fmax(ratio * ratio, sqrt(1 / ratio)) <= most;
 }
 
 /* Is the next solution to be compared with one on a finer mesh? Every fourth is, unless the mesh was found
@@ -670,7 +685,6 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     out->at.load_factor = k->outcome.load_factor;
     keep_station(k, out->sided, start->share);
     put_back(k, k->last);
-    wf_beam_sweep_up(&k->beam);
     return s;
 }
 
@@ -682,13 +696,21 @@ static void own_wind(struct wf_track *k)
     l->wind = &k->wind;
 }
 
+static enum wf_status no_newton(struct wf_track *k, struct wf_err *e)
+{
+    wf_arena_free(&k->newton);
+    return wf_fail(e, WF_ENOMEM, "not enough memory for a solution of %zu elements", k->beam.mesh.n);
+}
+
 enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
                               const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
                               struct wf_err *e)
 {
+    if (!take_newton(k)) return no_newton(k, e);
     enum wf_status s = solve(k, l, side, start, a, out, e);
     k->beam.other = NULL;
     own_wind(k);
+    wf_arena_free(&k->newton);
     return s;
 }
 
@@ -696,5 +718,8 @@ enum wf_status wf_track_sway(struct wf_track *k, const double to[3], const doubl
                              struct wf_modes_sway *out, double *shape, struct wf_err *e)
 {
     if (!k->solved) return wf_fail(e, WF_EINTERNAL, "there is no solution to sway about");
-    return wf_modes_sway(&k->beam, to, width, bands, out, shape, e);
+    if (!take_newton(k)) return no_newton(k, e);
+    enum wf_status s = wf_modes_sway(&k->beam, to, width, bands, out, shape, e);
+    wf_arena_free(&k->newton);
+    return s;
 }
