@@ -151,7 +151,7 @@ static void sweeps_agree(void **state)
         now = fmax(now, fmax(fmax(OFF(node, 48), OFF(answer, 48)), fmax(OFF(shape, 12), OFF(off, 1))));
         if (b[0].small) now = fmax(now, OFF(small, 150));
         assert_true(b[0].sided == b[1].sided && b[0].sided == (counting && seed % 4 != 2));
-        for (int k = 0; k < 2 && b[0].sided; k++) assert_true(wf_beam_side_find(&b[k]));
+        for (int k = 0; k < 2 && b[0].sided; k++) assert_true(wf_beam_side_find(&b[k], NULL));
         if (b[0].sided) now = fmax(now, OFF(side, 12));
 #undef OFF
         now = fmax(now, off(&b[1].misfit.bending, &b[0].misfit.bending, 4));
@@ -230,7 +230,7 @@ static bool changes_agree(struct beam_case *c, struct wf_beam *b, double off_by[
     bool found = unknowns_at(c, b, -share, low) && unknowns_at(c, b, share, high);
     b->other = grow_wind(c, share, &wind, &other);
     if (!found || !wf_beam_rests(b)) return false;
-    assert_true(wf_beam_side_find(b) && wf_beam_finish(b));
+    assert_true(wf_beam_side_find(b, NULL) && wf_beam_finish(b));
     memcpy(before, &b->base, sizeof before);
     memcpy(change, b->side, n * sizeof *change);
     assert_true(wf_beam_side_take(b));
@@ -289,7 +289,7 @@ static void same_at_any_width(void **state)
             if (seed % 4 == 1) b[k].off = WF_TAKE(&c[k].arena, b[k].mesh.n, double);
             b[k].other = grow_wind(&c[k], 1e-3, &wind, &faster);
             (void)wf_beam_rests(&b[k]);
-            found[k] = wf_beam_side_find(&b[k]);
+            found[k] = wf_beam_side_find(&b[k], NULL);
             if (seed % 2) (void)wf_beam_linearise(&b[k], true, &c[k].arena, &c[k].err);
         }
         for (int k = 1; k < 3; k++) {

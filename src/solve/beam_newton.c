@@ -636,6 +636,7 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     wf_beam_sweep_up(b);
     struct wf_beam_stability count = { .margin = stability_margin(b) };
     if (!sweep_down(b, true, true, watch && b->close ? &count : NULL)) return WF_ENOCONV;
+    b->close = false;
     for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {
         if (i % STALL == 0) {
             if (b->misfit.bending > 0.5 * before) return WF_ENOCONV;

@@ -15,7 +15,7 @@ static void turn_root(struct wf_beam *b, size_t row)
     m3_apply(inverse, change + 3, change);
 }
 
-bool wf_beam_side_find(struct wf_beam *b)
+bool wf_beam_side_find(struct wf_beam *b, bool *stable)
 {
     struct wf_beam_pose ground;
     if (!wf_beam_has_side(b)) return false;
@@ -24,6 +24,7 @@ bool wf_beam_side_find(struct wf_beam *b)
         (void)wf_beam_stable(b);
     }
     if (!b->sided) return false;
+    if (stable) *stable = wf_beam_stable(b);
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
         double root[6] = { 0 }, *base = root;
@@ -50,4 +51,11 @@ bool wf_beam_side_take(struct wf_beam *b)
     b->loads = *b->other;
     wf_beam_sweep_up(b);
     return wf_beam_sweep_down(b, false, NULL);
+}
+
+bool wf_beam_side_step(struct wf_beam *b, bool *stable)
+{
+    wf_beam_sweep_up(b);
+    b->loads = *b->other;
+    return wf_beam_step(b, stable);
 }

@@ -8,9 +8,9 @@
 /* The change to first order at the present shape, of all unknowns, into b->side and b->root_side. Given: a
  * last sweep with a tangent, since which neither shape nor loads have changed; where the change has not come
  * with it there is another sweep. false: it has no such change (links; a wind that is not known to grow in
- * proportion). Overwrites nothing that wf_beam_finish or wf_beam_stable need, of which the latter takes no
- * sweep after it. */
-bool wf_beam_side_find(struct wf_beam *b);
+ * proportion). *stable (NULL: not wanted): as wf_beam_stable. Overwrites nothing that wf_beam_finish needs.
+ */
+bool wf_beam_side_find(struct wf_beam *b, bool *stable);
 
 /* Take the change from the present shape, that of wf_beam_side_find or one step of Newton's method from it,
  * to the other loads, and sweep down. The error of the difference of both is of order d^2, where the loads
@@ -18,4 +18,8 @@ bool wf_beam_side_find(struct wf_beam *b);
  * forces is left out (beam_element.h), which cables make the larger part of it. false: the shape is not
  * finite. */
 bool wf_beam_side_take(struct wf_beam *b);
+
+/* Where there is no such change: from the present unknowns, a solution, one Newton step at the other loads
+ * (wf_beam_step). */
+bool wf_beam_side_step(struct wf_beam *b, bool *stable);
 #endif

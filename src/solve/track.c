@@ -405,8 +405,7 @@ static bool start_anew(struct wf_track *k, const struct wf_loads *l)
     return wf_beam_rests(&k->beam);
 }
 
-/* From the last form at the wind speed `from` by smaller steps of the wind speed, each from the one before.
- */
+/* From the last form at the wind speed `from` by smaller steps of the speed, each from the one before. */
 static bool approach(struct wf_track *k, const struct wf_loads *l, double from, struct wf_arena *scratch)
 {
     enum { TRIES = 16 };
@@ -498,6 +497,7 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
         return start->other->speed;
     }
     stations_beside(k, to, beside);
+    k->beam.close = (beside[0] && beside[1]) || (near_station(k, to, 1.05) && s->led);
     if (between && to > 0 && beside[0] && beside[1]) {
         copy_form(k, k->last, s->at);
         put_between(k, beside[0], beside[1], to);
@@ -515,15 +515,6 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
     else if (between && s && to > s->speed)
         move_on(k, s, to);
     return s ? s->speed : k->speed;
-}
-
-/* Does Newton's method begin where it is likely to have converged: between solutions, or beside one? */
-static bool starts_close(struct wf_track *k, double speed)
-{
-    const double beside_one = 1.05;
-    const struct station *s = near_station(k, speed, beside_one), *beside[2];
-    stations_beside(k, speed, beside);
-    return (s && s->led) || (beside[0] && beside[1]);
 }
 
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
@@ -555,8 +546,7 @@ static bool check_is_due(const struct wf_track *k, const struct wf_loads *l)
     return !(below && above);
 }
 
-/* From solutions beside this one, unless that was tried: Newton's method, then all that the beam solver does.
- */
+/* From solutions beside this one, unless that was tried: Newton's method, then all the beam solver does. */
 static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
                             bool tried, struct wf_err *e)
 {
@@ -580,28 +570,17 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     return s || !due ? s : check_mesh(k, l, e);
 }
 
-/* One Newton step at the other loads from the last form. */
-static bool step_aside(struct wf_track *k, const struct wf_loads *side, bool *stable)
-{
-    put_back(k, k->last);
-    wf_beam_sweep_up(&k->beam);
-    k->beam.loads = *side;
-    return wf_beam_step(&k->beam, stable);
-}
-
-/* The answer, one Newton step further, which takes away what Newton's method has left; and that at the other
- * loads, by the tangent of the same state, or where that has no such derivative by a Newton step at these
- * loads. *stable (NULL: it is known): is the equilibrium? */
+/* The answer, one Newton step further, which takes away what Newton's method has left, and that at the other
+ * loads: by the same tangent, or by another step. *stable (NULL: known): is the equilibrium? */
 static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone, bool *stable,
                                 struct wf_arena *a, struct wf_tracked *out, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
     enum wf_status s = alone ? WF_OK : wf_response_alloc(&out->side, k->tree->n, a, e);
     if (s) return s;
-    const bool landed = b->finished; /* the last step was such a one: there is no tangent of the shape */
+    const bool landed = b->finished; /* there is no tangent of the shape, and nothing left */
     b->other = alone ? NULL : side;
-    bool known = !alone && !landed && wf_beam_side_find(b);
-    if (known && stable) *stable = wf_beam_stable(b);
+    bool known = !alone && !landed && wf_beam_side_find(b, stable);
     if (!wf_beam_finish(b)) return WF_OK;
     wf_beam_read(b, &out->at);
     out->finished = true;
@@ -611,11 +590,9 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
         return WF_OK;
     }
     keep(k, k->lead);
-    if (landed && (known = wf_beam_side_find(b))) {
-        if (stable) *stable = wf_beam_stable(b);
-        put_back(k, k->lead);
-    }
-    if (!(known ? wf_beam_side_take(b) : step_aside(k, side, stable))) return WF_OK;
+    if (landed) known = wf_beam_side_find(b, stable);
+    if (!known || landed) put_back(k, k->last);
+    if (!(known ? wf_beam_side_take(b) : wf_beam_side_step(b, stable))) return WF_OK;
     wf_beam_read(b, &out->side);
     const struct form at = k->lead; /* the last form is now that which was read; lead = side - at */
     k->lead = k->last;
@@ -639,10 +616,7 @@ static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, c
     b->iterations = b->steps = 0;
     b->loads = *l;
     b->options = &k->follow;
-    b->close = starts_close(k, wind_of(l));
-    bool failed = wf_beam_newton(b) || wf_beam_apart(b);
-    b->close = false;
-    if (failed) return WF_OK;
+    if (wf_beam_newton(b) || wf_beam_apart(b)) return WF_OK;
     keep(k, k->last);
     enum wf_status s = read_both(k, side, false, &stable, a, out, e);
     *done = !s && stable && out->sided;
