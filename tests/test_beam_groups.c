@@ -4,6 +4,7 @@
 #include "solve/beam.h"
 #include "solve/beam_inertia.h"
 #include "solve/beam_newton.h"
+#include "solve/beam_side.h"
 #include "solve/beam_small.h"
 #include <stdlib.h>
 
@@ -33,6 +34,16 @@ static void tie(struct beam_case *c, struct wf_tie ties[2])
         };
     }
     c->loads.tie = ties, c->loads.ties = 2;
+}
+
+/* The loads of a wind that is faster and denser by about a share. */
+static const struct wf_loads *grow_wind(const struct beam_case *c, double share, struct wf_wind *wind,
+                                        struct wf_loads *out)
+{
+    *wind = c->wind, *out = c->loads;
+    wind->speed *= sqrt(1 + 2 * share), out->wind_scale *= 1 + 0.5 * share;
+    out->wind = wind;
+    return out;
 }
 
 /* The beam, to be computed by groups or not. */
@@ -114,11 +125,14 @@ static void sweeps_agree(void **state)
         struct wf_beam b[2];
         struct wf_tie ties[2];
         struct wf_beam_stability count[2] = { { .margin = 1e-6 }, { .margin = 1e-6 } };
+        struct wf_loads faster[2];
+        struct wf_wind wind[2];
         const bool counting = seed % 3 == 1;
         for (int k = 0; k < 2; k++) {
             grow(&c[k], seed, 20 + 5 * seed, seed % 2 ? 12 : 30);
             if (seed % 5 == 4) tie(&c[k], ties);
             begin(&c[k], k, &b[k]);
+            b[k].other = grow_wind(&c[k], 1e-3, &wind[k], &faster[k]);
             b[k].off = WF_TAKE(&c[k].arena, b[k].mesh.n, double);
             b[k].weak = WF_TAKE(&c[k].arena, b[k].mesh.n, bool);
             for (size_t i = 0; i < b[k].mesh.n; i++)
@@ -134,8 +148,11 @@ static void sweeps_agree(void **state)
         const size_t n = b[0].mesh.n;
 #define OFF(array, per) off((const double *)b[1].array, (const double *)b[0].array, n *(per))
         double now = fmax(fmax(OFF(pose, 12), OFF(stage, 30)), fmax(OFF(wrench, 6), OFF(load, 6)));
-        now = fmax(now, fmax(fmax(OFF(node, 42), OFF(answer, 42)), fmax(OFF(shape, 12), OFF(off, 1))));
+        now = fmax(now, fmax(fmax(OFF(node, 48), OFF(answer, 48)), fmax(OFF(shape, 12), OFF(off, 1))));
         if (b[0].small) now = fmax(now, OFF(small, 150));
+        assert_true(b[0].sided == b[1].sided && b[0].sided == (counting && seed % 4 != 2));
+        for (int k = 0; k < 2 && b[0].sided; k++) assert_true(wf_beam_side_find(&b[k], NULL));
+        if (b[0].sided) now = fmax(now, OFF(side, 12));
 #undef OFF
         now = fmax(now, off(&b[1].misfit.bending, &b[0].misfit.bending, 4));
         now = fmax(now, off(b[1].base.n, b[0].base.n, 6));
@@ -186,6 +203,74 @@ static void equilibria_agree(void **state)
     assert_true(rests > 30);
 }
 
+/* The unknowns at a wind that is faster by a share, by itself, as doubles. */
+static bool unknowns_at(struct beam_case *c, struct wf_beam *b, double share, double *out)
+{
+    struct wf_wind wind;
+    struct wf_loads loads, now = b->loads;
+    b->loads = *grow_wind(c, share, &wind, &loads), b->other = NULL;
+    bool found = wf_beam_rests(b) && wf_beam_finish(b);
+    memcpy(out, b->shape, b->mesh.n * sizeof *b->shape);
+    memcpy(out + 12 * b->mesh.n, &b->base, sizeof b->base);
+    b->loads = now;
+    return found;
+}
+
+/* The change with the wind by the tangent of Newton's method, beside central differences of equilibria: of
+ * all rotations, and of the forces on the ground after it is taken. Returned: false where a tree has no
+ * equilibrium. */
+static bool changes_agree(struct beam_case *c, struct wf_beam *b, double off_by[2])
+{
+    const double share = 1e-4;
+    const size_t n = 12 * b->mesh.n, all = n + 6;
+    struct wf_wind wind;
+    struct wf_loads other;
+    double *low = WF_TAKE(&c->arena, all, double), *high = WF_TAKE(&c->arena, all, double),
+           *change = WF_TAKE(&c->arena, all, double), before[6];
+    bool found = unknowns_at(c, b, -share, low) && unknowns_at(c, b, share, high);
+    b->other = grow_wind(c, share, &wind, &other);
+    if (!found || !wf_beam_rests(b)) return false;
+    assert_true(wf_beam_side_find(b, NULL) && wf_beam_finish(b));
+    memcpy(before, &b->base, sizeof before);
+    memcpy(change, b->side, n * sizeof *change);
+    assert_true(wf_beam_side_take(b));
+    memcpy(change + n, &b->base, sizeof b->base);
+    for (size_t i = 0; i < 6; i++) change[n + i] -= before[i];
+    for (size_t i = 0; i < all; i++) low[i] = 0.5 * (high[i] - low[i]);
+    for (size_t i = 0; i < n; i++) /* strains follow the forces of the step before */
+        if (i % 12 >= 6) change[i] = low[i] = 0;
+    off_by[0] = off(change, low, n), off_by[1] = off(change + n, low + n, 6);
+    return true;
+}
+
+static void change_with_the_wind(void **state)
+{
+    (void)state;
+    size_t rests = 0;
+    double worst[2] = { 0 }, tied = 0;
+    for (uint64_t seed = 0; seed < 60; seed++) {
+        struct beam_case c;
+        struct wf_beam b;
+        struct wf_tie ties[2];
+        double now[2];
+        const bool held = seed % 4 == 1;
+        grow(&c, seed, 20 + 2 * seed, seed % 2 ? 8 : 15);
+        if (held) tie(&c, ties);
+        begin(&c, seed % 3 != 2, &b);
+        if (changes_agree(&c, &b, now)) {
+            rests++;
+            worst[1] = fmax(worst[1], now[1]);
+            *(held ? &tied : worst) = fmax(held ? tied : worst[0], now[0]);
+        }
+        beam_free(&c);
+    }
+    printf("%zu trees at rest, changes off by %.2g, with cables by %.2g, of forces on the ground by %.2g\n",
+           rests, worst[0], tied, worst[1]);
+    assert_true(rests > 45);
+    assert_true(worst[0] < 1e-7 && worst[1] < 2e-4); /* forces are those of a wind that is not small */
+    assert_true(tied < 2e-3); /* where a cable pulls harder, what it pulls at stretches */
+}
+
 /* The same bytes for 1, 4 and 8 lanes. */
 static void same_at_any_width(void **state)
 {
@@ -193,13 +278,18 @@ static void same_at_any_width(void **state)
     for (uint64_t seed = 0; seed < 24; seed++) {
         struct beam_case c[3];
         struct wf_beam b[3];
+        struct wf_loads faster;
+        struct wf_wind wind;
+        bool found[3];
         static const char *const width[] = { "1", "4", "8" };
         for (int k = 0; k < 3; k++) {
             setenv("WINDFIRM_LANES", width[k], 1);
             grow(&c[k], seed, 60 + 3 * seed, 12);
             begin(&c[k], true, &b[k]);
             if (seed % 4 == 1) b[k].off = WF_TAKE(&c[k].arena, b[k].mesh.n, double);
+            b[k].other = grow_wind(&c[k], 1e-3, &wind, &faster);
             (void)wf_beam_rests(&b[k]);
+            found[k] = wf_beam_side_find(&b[k], NULL);
             if (seed % 2) (void)wf_beam_linearise(&b[k], true, &c[k].arena, &c[k].err);
         }
         for (int k = 1; k < 3; k++) {
@@ -208,6 +298,8 @@ static void same_at_any_width(void **state)
             assert_memory_equal(b[k].node, b[0].node, n * sizeof *b[0].node);
             assert_memory_equal(b[k].answer, b[0].answer, n * sizeof *b[0].answer);
             assert_memory_equal(&b[k].misfit, &b[0].misfit, sizeof b[0].misfit);
+            assert_int_equal(found[k], found[0]);
+            if (found[0]) assert_memory_equal(b[k].side, b[0].side, n * sizeof *b[0].side);
             if (b[0].small) assert_memory_equal(b[k].small, b[0].small, n * sizeof *b[0].small);
         }
         for (int k = 0; k < 3; k++) beam_free(&c[k]);
@@ -351,8 +443,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_element_once),   cmocka_unit_test(no_groups_of_a_stem),
         cmocka_unit_test(sweeps_agree),         cmocka_unit_test(equilibria_agree),
-        cmocka_unit_test(same_at_any_width),    cmocka_unit_test(inertia_agrees),
-        cmocka_unit_test(inertia_at_any_width),
+        cmocka_unit_test(change_with_the_wind), cmocka_unit_test(same_at_any_width),
+        cmocka_unit_test(inertia_agrees),       cmocka_unit_test(inertia_at_any_width),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

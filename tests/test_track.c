@@ -112,33 +112,51 @@ static void rods_in_any_order(void **state)
     }
 }
 
-/* The derivative of every moment against central differences of solutions on the same mesh. */
-static void slopes_are_derivatives(void **state)
+/* The derivative of every moment against central differences of solutions on the same mesh. Given: tolerance
+ * of the solutions with derivatives, and the share by which their side's wind is faster. Returned: the
+ * largest error, over the largest derivative. */
+static double slopes_off(double tolerance, double share)
 {
-    (void)state;
     struct beam_case c;
-    struct wf_track *k;
+    struct wf_track *k, *tight;
     struct wf_tracked at, low, high;
+    double worst = 0;
     young_tree(&c);
-    c.options.tolerance = 1e-12;
-    c.options.mesh_tolerance = 1e-3;
-    assert_int_equal(wf_track_open(&c.tree, &c.options, NULL, &k, &c.err), WF_OK);
+    c.loads.streamline = wf_streamline_named("vogel");
+    c.loads.streamline_par.number[0] = -0.7, c.loads.streamline_par.number[1] = 5;
+    for (size_t i = 0; i < c.tree.n; i++) c.tree.drag[i] = NAN; /* by the law */
+    struct wf_solve_options o = c.options, fine = c.options;
+    o.mesh_tolerance = fine.mesh_tolerance = 0;
+    o.tolerance = tolerance, fine.tolerance = 1e-12;
+    assert_int_equal(wf_track_open(&c.tree, &o, NULL, &k, &c.err), WF_OK);
+    assert_int_equal(wf_track_open(&c.tree, &fine, NULL, &tight, &c.err), WF_OK);
     for (double speed = 4; speed < 45; speed *= 1.7) {
-        const double step = 3e-7 * speed, apart = 2e-4 * speed;
+        const double step = share * speed, apart = 2e-4 * speed;
         double size = 0, off = 0;
-        assert_int_equal(at_speed(&c, k, speed - apart, 0, &low), WF_OK);
+        assert_int_equal(at_speed(&c, tight, speed - apart, 0, &low), WF_OK);
+        assert_int_equal(at_speed(&c, tight, speed + apart, 0, &high), WF_OK);
         assert_int_equal(at_speed(&c, k, speed, step, &at), WF_OK);
-        assert_int_equal(at_speed(&c, k, speed + apart, 0, &high), WF_OK);
         assert_true(at.sided);
         for (size_t i = 0; i < 3 * at.at.n; i++) {
-            double slope = (at.side.moment0[i] - at.at.moment0[i]) / step;
+            double slope = (at.side.moment0[i] - at.at.moment0[i]) / (step * (1 + 0.5 * share));
             double want = (high.at.moment0[i] - low.at.moment0[i]) / (2 * apart);
             off = fmax(off, fabs(slope - want)), size = fmax(size, fabs(want));
         }
-        assert_true(off <= 1e-6 * size);
+        worst = fmax(worst, off / size);
     }
-    wf_track_close(k);
+    wf_track_close(k), wf_track_close(tight);
     beam_free(&c);
+    printf("slopes at tolerance %g, share %g: off by %.2g\n", tolerance, share, worst);
+    return worst;
+}
+
+static void slopes_are_derivatives(void **state)
+{
+    (void)state;
+    assert_true(slopes_off(1e-12, 3e-7) <= 1e-6);
+    assert_true(slopes_off(1e-6, 3e-7) <= 1e-6);
+    /* as searches solve; in a fast wind the share is so small that what Newton's method has left is not */
+    assert_true(slopes_off(3e-4, 1e-8) <= 1e-6);
 }
 
 /* A stem that tapers to a twig, with a crown on it: on a coarse mesh too the tip turns as on a fine one. */

@@ -99,6 +99,15 @@ WF_INLINE void flow_load(const struct axis_flow *f, const real t[3], int varies,
         }
 }
 
+/* How the force of the air changes with its speed and density, which grow by these shares. */
+WF_INLINE void flow_growth(const struct axis_flow *f, real speed, real density, real change[3])
+{
+    const real drag = f->across * (speed * (f->drag + f->drag_grow) + density * f->drag),
+               lift = f->across * (2 * speed + density) * f->lift,
+               crown = speed * (f->crown + f->crown_grow) + density * f->crown;
+    for (int i = 0; i < 3; i++) change[i] = drag * f->n[i] + lift * f->m[i] + crown * f->u[i];
+}
+
 /* Many lanes at once, which differ in wind and air. Wind fields and laws without a formula for lanes are
  * evaluated for one lane after the other. */
 
@@ -115,7 +124,8 @@ struct air {
     real held;                         /* speed above which the crown's share is held */
     real weight, dead;                 /* factors of weight and of dead loads */
     const struct wf_law_values *table;
-    size_t rises; /* slopes of the table's points, if it has few */
+    real grows_speed, grows_density; /* shares by which they grow (flow_growth) */
+    size_t rises;                    /* slopes of the table's points, if it has few */
     double rise[64];
 };
 
@@ -276,9 +286,11 @@ struct real_point {
     real diameter, drag, lift, sail, weight; /* as struct wf_line_point; weight per length [N/m] */
 };
 
-/* As wf_load_on_line. */
-WF_INLINE void load_points(const struct air *a, const struct real_point *p, struct real_load *out)
+/* As wf_load_on_line. change (NULL: not wanted): by the growth of the air's speed and density. */
+WF_INLINE void load_points(const struct air *a, const struct real_point *p, struct real_load *out,
+                           real change[3])
 {
+    for (int i = 0; i < 3 && change; i++) change[i] = real_of(0);
     out->force[0] = out->force[1] = real_of(0);
     out->force[2] = p->weight;
     for (int i = 0; i < 9; i++) out->by_place[i] = out->by_turn[i] = real_of(0);
@@ -298,5 +310,6 @@ WF_INLINE void load_points(const struct air *a, const struct real_point *p, stru
     }
     flow_forces(p->diameter, p->lift, p->sail, a->half, cd, cd_slope, share, share_slope, &f);
     flow_load(&f, p->t, 1, out);
+    if (change) flow_growth(&f, a->grows_speed, a->grows_density, change);
 }
 #endif

@@ -326,7 +326,7 @@ static void linear_hold_loads(struct wf_beam *b)
             const struct wf_beam_part *p = &b->mesh.part[from + k / 2];
             point[k] = (struct wf_lanes_point){ s->r[k % 2], s->t[k % 2], p->dead[k % 2], &p->line[k % 2] };
         }
-        wf_lanes_kernel(WF_LANES_MOST)->loads(&b->loads, 2 * n, point, load);
+        wf_lanes_kernel(WF_LANES_MOST)->loads(&b->loads, NULL, 2 * n, point, load, NULL);
         for (size_t k = 0; k < 2 * n; k++) {
             struct wf_beam_part *p = &b->mesh.part[from + k / 2];
             memcpy(p->dead[k % 2], load[k].force, sizeof p->dead[k % 2]);

@@ -3,6 +3,7 @@
 #define WF_SOLVE_BEAM_CONDENSE_H
 /* Inlined parts of the elimination of an element, for one state or for many lanes (base/real.h). */
 #include "solve/beam_kernel.h"
+#include <stdbool.h>
 
 /* Linearisation of one element and its elimination between its base and the part above.
  *
@@ -17,10 +18,44 @@
  * vector, Q = D T^-1, P_jm = T_j T_m^-1. The wrench of the end depends linearly on its motion through the
  * part above, dw = K p_end + k, so that six equations in the six y remain. */
 
-/* A row per unknown, columns: the six of the base's change p and one constant; of a single state also a spare
- * column, so that rows fill whole vector registers. */
-enum { BY_BASE = WF_WIDTH == 1 ? 8 : 7 };
+/* A row per unknown, columns: the six of the base's change p, the constant of Newton's method, and that of
+ * loads that grow (struct wf_beam_growth). */
+enum { NOW = 6, TO_SIDE, BY_BASE };
 typedef real by_base[6][BY_BASE];
+
+/* The columns that count. Of a single state rows fill whole vector registers: the last columns may be spare.
+ */
+struct columns {
+    int from, to;
+    bool side; /* the last one counts */
+};
+WF_INLINE struct columns columns_of(int from, int to)
+{
+    return (struct columns){ from, WF_WIDTH == 1 ? BY_BASE : to, to > TO_SIDE };
+}
+
+/* Change of an element at its present shape where the loads grow. */
+struct shift {
+    real force[2][3]; /* given: of the load per length */
+    real gap[2][3];   /* of the strain, by `force` and the part above */
+    real turn[2][3];  /* of r' x n, by `force` */
+};
+
+WF_INLINE void shift_of(const element *p, const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                        const struct wf_beam_reaction *above, struct shift *o)
+{
+    for (int j = 0; j < 2; j++) {
+        const fixed d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
+        real own[3], all[3], give[3], back[3];
+        for (int i = 0; i < 3; i++)
+            own[i] = d0 * o->force[0][i] + d1 * o->force[1][i], all[i] = own[i] + above->side[i];
+        v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], own, give);
+        v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], all, o->gap[j]);
+        wf_cross(s->rp[j], own, o->turn[j]);
+        wf_cross(at[j].n, give, back);
+        for (int i = 0; i < 3; i++) o->turn[j][i] -= back[i];
+    }
+}
 
 /* Where the loads vary with the height alone, a displacement along x or y changes nothing, and the columns of
  * these two are left out: `from` is the first column that counts, 0 or 2. */
@@ -40,11 +75,11 @@ WF_INLINE void put_by_base(by_base A, int from, int row, int col, const real B[9
 }
 
 /* S y + A (p_base, 1) = 0 for the element without the part above, whose reaction enters through Mn: dn_end
- * -> dm_j. */
+ * -> dm_j. shift NULL: the loads do not grow. */
 WF_INLINE void element_equations(const element *p, const struct wf_beam_flat *flat,
                                  const struct kinematics *k, const struct statics *q,
-                                 const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], int from,
-                                 real S[6][6], by_base A, real Mn[2][9])
+                                 const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                                 const struct shift *shift, int from, real S[6][6], by_base A, real Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
         real law[3], bent[3], M[2][9], G[9], C[9], R[9];
@@ -73,13 +108,14 @@ WF_INLINE void element_equations(const element *p, const struct wf_beam_flat *fl
         put_by_base(A, from, 3 * j, 0, R);
         for (int i = 0; i < 9; i++) Mn[j][i] = d0 * q->Vn[0][i] + d1 * q->Vn[1][i];
         for (int i = 0; i < 3; i++) {
-            A[3 * j + i][6] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
+            A[3 * j + i][NOW] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
+            A[3 * j + i][TO_SIDE] = shift ? -d0 * shift->turn[0][i] - d1 * shift->turn[1][i] : real_of(0);
         }
     }
 }
 
 /* Exchange row c with the row below it whose number in column c is `most`, in the lanes `here`. */
-WF_INLINE void exchange_rows(real S[6][6], by_base B, int from, int c, real_truth here, real most)
+WF_INLINE void exchange_rows(real S[6][6], by_base B, struct columns b, int c, real_truth here, real most)
 {
     for (int r = c + 1; r < 6; r++) {
         real_truth swap = here & real_not_above(most, real_abs(S[r][c]));
@@ -88,7 +124,7 @@ WF_INLINE void exchange_rows(real S[6][6], by_base B, int from, int c, real_trut
             real upper = S[c][k];
             S[c][k] = real_choose(swap, S[r][k], upper), S[r][k] = real_choose(swap, upper, S[r][k]);
         }
-        for (int k = from; k < BY_BASE; k++) {
+        for (int k = b.from; k < b.to; k++) {
             real upper = B[c][k];
             B[c][k] = real_choose(swap, B[r][k], upper), B[r][k] = real_choose(swap, upper, B[r][k]);
         }
@@ -97,25 +133,25 @@ WF_INLINE void exchange_rows(real S[6][6], by_base B, int from, int c, real_trut
 
 /* B := S^-1 B by elimination; S is used up. Rows are exchanged, in each lane by itself, where the pivot is
  * less than a tenth of a number below it. Returned: lanes whose S is singular. */
-WF_INLINE real_truth solve6(real S[6][6], by_base B, int from)
+WF_INLINE real_truth solve6(real S[6][6], by_base B, struct columns b)
 {
     real_truth singular = { 0 };
     for (int c = 0; c < 6; c++) {
         real most = { 0 }, pivot = real_abs(S[c][c]);
         for (int r = c + 1; r < 6; r++) most = real_max(real_abs(S[r][c]), most);
         real_truth small = real_below(pivot, 0.1 * most);
-        if (__builtin_expect(real_any(small), 0)) exchange_rows(S, B, from, c, small, most);
+        if (__builtin_expect(real_any(small), 0)) exchange_rows(S, B, b, c, small, most);
         singular |= ~real_below(real_of(0), real_max(pivot, most));
         real inverse = 1 / S[c][c];
         S[c][c] = inverse;
         for (int r = c + 1; r < 6; r++) {
             real f = S[r][c] * inverse;
             for (int k = c + 1; k < 6; k++) S[r][k] -= f * S[c][k];
-            for (int k = from; k < BY_BASE; k++) B[r][k] -= f * B[c][k];
+            for (int k = b.from; k < b.to; k++) B[r][k] -= f * B[c][k];
         }
     }
     for (int c = 6; c-- > 0;)
-        for (int k = from; k < BY_BASE; k++) {
+        for (int k = b.from; k < b.to; k++) {
             real sum = B[c][k];
             for (int r = c + 1; r < 6; r++) sum -= S[c][r] * B[r][k];
             B[c][k] = sum * S[c][c];
@@ -128,8 +164,7 @@ WF_INLINE real_truth solve6(real S[6][6], by_base B, int from)
  * of the mesh error, and they are its negative eigenvalues; for other loads their number changes where the
  * tree loses its static stability. (The symmetric part alone would also count shapes that are nearly free to
  * rotate.) Returned: the number, per lane. */
-WF_INLINE real unstable_directions(const element *p, real S[6][6], const struct kinematics *k,
-                                   real margin)
+WF_INLINE real unstable_directions(const element *p, real S[6][6], const struct kinematics *k, real margin)
 {
     real B[6][6], H[6][6], negative = { 0 }, limit = -margin * larger(p->ei[0], p->gj[0]);
     by_base X; /* B' X = S', so that X' = S B^-1 */
@@ -139,7 +174,7 @@ WF_INLINE real unstable_directions(const element *p, real S[6][6], const struct 
                 for (int c = 0; c < 3; c++) B[3 * m + c][3 * j + i] = k->QP[j][m][3 * i + c];
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < BY_BASE; c++) X[i][c] = c < 6 ? S[c][i] : real_of(0);
-    real_truth singular = solve6(B, X, 0);
+    real_truth singular = solve6(B, X, columns_of(0, NOW));
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) H[i][c] = X[c][i];
     for (int c = 0; c < 6; c++) {
@@ -154,23 +189,23 @@ WF_INLINE real unstable_directions(const element *p, real S[6][6], const struct 
 }
 
 /* C += A B from that row of C and that column of A on */
-WF_INLINE void add_product(real A[6][6], by_base B, int from, int row, int column, by_base C)
+WF_INLINE void add_product(real A[6][6], by_base B, struct columns b, int row, int column, by_base C)
 {
     for (int i = row; i < 6; i++) {
         real sum[BY_BASE];
-        for (int c = from; c < BY_BASE; c++) sum[c] = C[i][c];
+        for (int c = b.from; c < b.to; c++) sum[c] = C[i][c];
         for (int m = column; m < 6; m++)
-            for (int c = from; c < BY_BASE; c++) sum[c] += A[i][m] * B[m][c];
-        for (int c = from; c < BY_BASE; c++) C[i][c] = sum[c];
+            for (int c = b.from; c < b.to; c++) sum[c] += A[i][m] * B[m][c];
+        for (int c = b.from; c < b.to; c++) C[i][c] = sum[c];
     }
 }
 
 /* end = P y + Z (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
-WF_INLINE void end_motion_of(fixed half, const struct kinematics *k, const struct statics *q, int from,
-                             real P[6][6], by_base Z)
+WF_INLINE void end_motion_of(fixed half, const struct kinematics *k, const struct statics *q,
+                             const struct shift *shift, struct columns b, real P[6][6], by_base Z)
 {
     for (int i = 0; i < 6; i++)
-        for (int c = from; c < BY_BASE; c++) Z[i][c] = real_of(i == c);
+        for (int c = b.from; c < b.to; c++) Z[i][c] = real_of(i == c);
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
             for (int m = 0; m < 2; m++) {
@@ -179,13 +214,14 @@ WF_INLINE void end_motion_of(fixed half, const struct kinematics *k, const struc
             }
             Z[i][3 + c] = P[i][c] + P[i][3 + c];
         }
-        Z[i][6] = half * (q->gap[0][i] + q->gap[1][i]);
+        Z[i][NOW] = half * (q->gap[0][i] + q->gap[1][i]);
+        if (shift) Z[i][TO_SIDE] = half * (shift->gap[0][i] + shift->gap[1][i]);
     }
 }
 
 /* dw_base = dw_end + (0, Vn dn_end) + S y + B (p_base, 1): dn = h/2 sum df, dm = h/2 sum d(r' x n) */
-WF_INLINE void base_wrench_of(fixed half, const struct statics *q, const struct real_load load[2], int from,
-                              real S[6][6], by_base B)
+WF_INLINE void base_wrench_of(fixed half, const struct statics *q, const struct real_load load[2],
+                              const struct shift *shift, struct columns b, real S[6][6], by_base B)
 {
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
@@ -193,40 +229,43 @@ WF_INLINE void base_wrench_of(fixed half, const struct statics *q, const struct 
                 S[i][3 * m + c] = half * (q->F[0][m][3 * i + c] + q->F[1][m][3 * i + c]);
                 S[3 + i][3 * m + c] = half * (q->V[0][m][3 * i + c] + q->V[1][m][3 * i + c]);
             }
-            if (c >= from) {
+            if (c >= b.from) {
                 B[i][c] = half * (load[0].by_place[3 * i + c] + load[1].by_place[3 * i + c]);
                 B[3 + i][c] = half * (q->Vr[0][3 * i + c] + q->Vr[1][3 * i + c]);
             }
             B[i][3 + c] = S[i][c] + S[i][3 + c];
             B[3 + i][3 + c] = S[3 + i][c] + S[3 + i][3 + c];
         }
-        for (int c = 6; c < BY_BASE; c++) B[i][c] = B[3 + i][c] = real_of(0);
-        B[3 + i][6] = half * (q->Vc[0][i] + q->Vc[1][i]);
+        for (int c = NOW; c < b.to; c++) B[i][c] = B[3 + i][c] = real_of(0);
+        B[3 + i][NOW] = half * (q->Vc[0][i] + q->Vc[1][i]);
+        if (!shift) continue;
+        B[i][TO_SIDE] = half * (shift->force[0][i] + shift->force[1][i]);
+        B[3 + i][TO_SIDE] = half * (shift->turn[0][i] + shift->turn[1][i]);
     }
 }
 
-/* Row i of K and k */
+/* Row i of K and of the constants. */
 WF_INLINE real above_of(const struct wf_beam_reaction *above, int i, int c)
 {
-    return c < 6 ? above->K[i][c] : above->k[i];
+    return c < NOW ? above->K[i][c] : c == NOW ? above->k[i] : above->side[i];
 }
 
 /* Add the reaction of the part above, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
  * equations: dm_j gains Mn_j dn_end + dm_end. */
 WF_INLINE void attach_part_above(real Mn[2][9], const struct wf_beam_reaction *above, real P[6][6], by_base Z,
-                                 int from, real S[6][6], by_base A)
+                                 struct columns b, real S[6][6], by_base A)
 {
     for (int j = 0; j < 2; j++)
         for (int i = 0; i < 3; i++) {
-            real EK[7], *row = S[3 * j + i], *a = A[3 * j + i];
-            for (int c = from; c < 7; c++)
+            real EK[BY_BASE], *row = S[3 * j + i], *a = A[3 * j + i];
+            for (int c = b.from; c < b.to; c++)
                 EK[c] = -above_of(above, 3 + i, c) - Mn[j][3 * i] * above_of(above, 0, c) -
                         Mn[j][3 * i + 1] * above_of(above, 1, c) - Mn[j][3 * i + 2] * above_of(above, 2, c);
-            for (int m = from; m < 6; m++)
+            for (int m = b.from; m < 6; m++)
                 for (int c = 0; c < 6; c++) row[c] += EK[m] * P[m][c];
-            for (int c = from; c < 7; c++) a[c] += EK[c]; /* Z = (1 X g; 0 1 0), X and g in columns 3 to 6 */
-            for (int m = from; m < 3; m++)
-                for (int c = 3; c < 7; c++) a[c] += EK[m] * Z[m][c];
+            for (int c = b.from; c < b.to; c++) a[c] += EK[c]; /* Z = (1 X g; 0 1 0), X, g from column 3 on */
+            for (int m = b.from; m < 3; m++)
+                for (int c = 3; c < b.to; c++) a[c] += EK[m] * Z[m][c];
         }
 }
 
@@ -238,7 +277,7 @@ WF_INLINE real_truth leaps(by_base A, real P[6][6])
 {
     const double turn = 0.7, against = -1.1, along = 8; /* rad, -, - */
     real_truth holds = ~(real_truth){ 0 };
-    for (int i = 0; i < 6; i++) holds &= real_not_above(real_abs(A[i][6]), real_of(turn));
+    for (int i = 0; i < 6; i++) holds &= real_not_above(real_abs(A[i][NOW]), real_of(turn));
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             real follows = { 0 };
@@ -252,36 +291,36 @@ WF_INLINE real_truth leaps(by_base A, real P[6][6])
 /* An element whose step is too large is taken by itself: damped elastic bending towards its present moments,
  * rigidly following its base. Twigs beyond their buckling load thus fall over in a few iterations without
  * disturbing what carries them. */
-WF_INLINE real_truth bend_apart(const element *p, const struct wf_beam_flat *flat,
-                                const struct kinematics *k, const struct wf_beam_stage *s,
-                                const struct wf_beam_wrench at[2], int from, by_base A)
+WF_INLINE real_truth bend_apart(const element *p, const struct wf_beam_flat *flat, const struct kinematics *k,
+                                const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                                struct columns b, by_base A)
 {
     static const struct statics none;
     real S[6][6], Mn[2][9];
-    element_equations(p, flat, k, &none, s, at, from, S, A, Mn);
+    element_equations(p, flat, k, &none, s, at, NULL, b.from, S, A, Mn);
     for (int i = 0; i < 6; i++)
-        for (int c = from; c < 6; c++) A[i][c] = real_of(0);
-    return solve6(S, A, from);
+        for (int c = b.from; c < NOW; c++) A[i][c] = real_of(0);
+    return solve6(S, A, b);
 }
 
 /* Motion of the end, end = Z (p_base, 1), and wrench on the base, B (p_base, 1), of an element that moves by
  * y. Given: Z, B at y = 0. */
 WF_INLINE void follow_answer(fixed half, const struct statics *q, struct wf_beam_reaction *above,
-                             real P[6][6], real S[6][6], by_base y, int from, by_base Z, by_base B)
+                             real P[6][6], real S[6][6], by_base y, struct columns b, by_base Z, by_base B)
 {
     by_base W;
-    add_product(P, y, from, from, 0, Z); /* rows left out of Z are columns left out of K */
+    add_product(P, y, b, b.from, 0, Z); /* rows left out of Z are columns left out of K */
     for (int i = 0; i < 6; i++)
-        for (int c = from; c < BY_BASE; c++) W[i][c] = c == 6 ? above->k[i] : real_of(0);
-    add_product(above->K, Z, from, 0, from, W); /* dw_end = W (p, 1) */
-    add_product(S, y, from, 0, 0, B);
+        for (int c = b.from; c < b.to; c++) W[i][c] = c < NOW ? real_of(0) : above_of(above, i, c);
+    add_product(above->K, Z, b, 0, b.from, W); /* dw_end = W (p, 1) */
+    add_product(S, y, b, 0, 0, B);
     for (int i = 0; i < 3; i++)
         for (int m = 0; m < 3; m++) {
             real f = half * (q->Vn[0][3 * i + m] + q->Vn[1][3 * i + m]);
-            for (int c = from; c < BY_BASE; c++) B[3 + i][c] += f * W[m][c];
+            for (int c = b.from; c < b.to; c++) B[3 + i][c] += f * W[m][c];
         }
     for (int i = 0; i < 6; i++)
-        for (int c = from; c < BY_BASE; c++) B[i][c] += W[i][c];
+        for (int c = b.from; c < b.to; c++) B[i][c] += W[i][c];
 }
 /* R = S^-1; 0 in lanes whose S is singular. */
 WF_INLINE void invert6(real S[6][6], real R[6][6])
@@ -291,7 +330,7 @@ WF_INLINE void invert6(real S[6][6], real R[6][6])
     memcpy(copy, S, sizeof copy);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < BY_BASE; c++) B[i][c] = real_of(i == c);
-    real_truth singular = solve6(copy, B, 0);
+    real_truth singular = solve6(copy, B, columns_of(0, NOW));
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) R[i][c] = real_choose(singular, real_of(0), B[i][c]);
 }

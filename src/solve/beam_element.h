@@ -47,11 +47,11 @@ struct wf_beam_wrench {
 /* Linear relation of a part of the tree: the wrench it exerts on its base changes by K p + k for a change p
  * = (displacement, spin) of the base. */
 struct wf_beam_reaction {
-    real K[6][6], k[6];
+    real K[6][6], k[6], side[6]; /* side: in place of k where the loads grow (struct wf_beam_growth) */
 };
 /* Spins of the element's Gauss points relative to its base for a change p of the base: X p + x. */
 struct wf_beam_answer {
-    real X[6][6], x[6];
+    real X[6][6], x[6], side[6]; /* side: as above */
 };
 
 /* Position and rotation of the element from its unknowns. Given: base pose. Returned: state at the Gauss

@@ -107,7 +107,8 @@ void wf_beam_ends_load(struct wf_beam *b)
 void wf_beam_ends_react(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
-    for (size_t k = 0; k < wf_beam_moving(b); k++) memset(&b->node[wf_beam_moved(b, k)], 0, sizeof *b->node);
+    if (!b->only) memset(b->node, 0, b->mesh.n * sizeof *b->node);
+    for (size_t k = 0; b->only && k < b->only->n; k++) memset(&b->node[b->only->id[k]], 0, sizeof *b->node);
     for (size_t k = 0; k < l->points; k++) {
         const struct wf_point_load *q = &l->point[k];
         size_t i = end_of_row(b, q->segment);

@@ -12,7 +12,7 @@
 #define NAMED_(width) wf_groups_##width
 
 /* Numbers of an element in the arrays of struct wf_groups_sweep. */
-enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 42, SMALL = 150 };
+enum { SHAPE = 12, POSE = 12, STAGE = 30, WRENCH = 6, LOAD = 6, REACTION = 48, SMALL = 150 };
 enum { PART = sizeof(element) / sizeof(real) };
 _Static_assert(sizeof(struct wf_beam_part) == offsetof(struct wf_beam_part, h) + PART * sizeof(double),
                "struct element is struct wf_beam_part from h on");
@@ -205,7 +205,7 @@ struct work {
     real_truth guard;
     bool counting; /* in some lane */
     struct beam_misfit misfit[WF_GROUP / WF_WIDTH];
-    real_truth broken;
+    real_truth broken, apart;
 };
 
 /* An element with its state, and what of it is passed on. */
@@ -219,8 +219,9 @@ struct taken {
     struct real_load load[2];
 };
 
-WF_INLINE void load_at(const struct work *w, int j, struct taken *t)
+WF_INLINE void load_at(const struct work *w, int j, struct taken *t, struct shift *shift)
 {
+    struct real_load *load = &t->load[j];
     const struct fixed_point *line = &t->p.line[j];
     struct real_point point = { .diameter = line->diameter,
                                 .drag = line->drag,
@@ -228,12 +229,13 @@ WF_INLINE void load_at(const struct work *w, int j, struct taken *t)
                                 .sail = line->sail,
                                 .weight = -line->mass * w->gravity * w->weight_scale };
     memcpy(point.x, t->s.r[j], sizeof point.x), memcpy(point.t, t->s.t[j], sizeof point.t);
-    load_points(&w->air, &point, &t->load[j]);
-    v3_add(t->load[j].force, w->point_scale, t->p.dead[j]);
-    for (int i = 0; i < 9 && w->x->frozen; i++) t->load[j].by_place[i] = t->load[j].by_turn[i] = real_of(0);
+    load_points(&w->air, &point, load, shift ? shift->force[j] : NULL);
+    v3_add(load->force, w->point_scale, t->p.dead[j]);
+    for (int i = 0; i < 9 && w->x->frozen; i++) load->by_place[i] = load->by_turn[i] = real_of(0);
 }
 
-WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
+/* shift: how the loads change where they grow; NULL: not wanted. */
+WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t, struct shift *shift)
 {
     struct places at = places_of(s, ARRAY(shape), SHAPE);
     gather_part(s, &t->p);
@@ -241,7 +243,7 @@ WF_INLINE void take(const struct work *w, const struct some *s, struct taken *t)
     at = places_of(s, ARRAY(stage), STAGE), gather(&at, STAGE, (real *)&t->s);
     at = places_below(s, ARRAY(pose), POSE), gather(&at, POSE, (real *)&t->base);
     at = places_of(s, ARRAY(wrench), WRENCH), gather(&at, WRENCH, (real *)&t->end);
-    for (int j = 0; j < 2; j++) load_at(w, j, t);
+    for (int j = 0; j < 2; j++) load_at(w, j, t, shift);
     real force[2][3];
     for (int j = 0; j < 2; j++) memcpy(force[j], t->load[j].force, sizeof force[j]);
     at = places_of(s, ARRAY(load), LOAD), scatter(force[0], LOAD, s->n, &at);
@@ -273,7 +275,7 @@ static __attribute__((noinline)) void forces_of_some(struct work *w, const struc
 {
     struct taken t;
     real k[2][3], gap[2][3];
-    take(w, s, &t);
+    take(w, s, &t, NULL);
     curvature_of(&t.p, &t.u, k);
     for (int j = 0; j < 2; j++) {
         m3_apply(t.base.L, k[j], k[j]);
@@ -304,7 +306,7 @@ WF_INLINE void count_unstable(const struct work *w, const struct some *s, const 
 static __attribute__((noinline)) real_truth answer_apart(const struct taken *t, const struct kinematics *k,
                                                          by_base A)
 {
-    return bend_apart(&t->p, NULL, k, &t->s, t->at, 0, A);
+    return bend_apart(&t->p, NULL, k, &t->s, t->at, columns_of(0, TO_SIDE), A);
 }
 
 /* What is kept for small loads. S: the element's equations. */
@@ -317,60 +319,64 @@ static __attribute__((noinline)) void keep_small(const struct some *s, const str
     struct places to = places_of(s, ARRAY(small), SMALL);
     const real half = 0.5 * t->p.h;
     invert6(S, o.R);
-    base_wrench_of(half, q, t->load, 0, T, B);
+    base_wrench_of(half, q, t->load, NULL, columns_of(0, TO_SIDE), T, B);
     small_of(half, q, t->at, &t->above, P, T, &o);
     scatter((const real *)&o, SMALL, s->n, &to);
 }
 
 /* Solve the element's equations; where its step is too large, take it by itself. Returned: such lanes. */
 WF_INLINE real_truth solve_some(struct work *w, const struct some *s, const struct taken *t,
-                                const struct kinematics *k, real P[6][6], real S[6][6], by_base A, int from)
+                                const struct kinematics *k, real P[6][6], real S[6][6], by_base A,
+                                struct columns b)
 {
-    real_truth broken = solve6(S, A, from), apart = { 0 };
+    real_truth broken = solve6(S, A, b), apart = { 0 };
     if (real_any(w->guard) && real_any(apart = (leaps(A, P) | broken) & w->guard)) {
         by_base alone;
         real_truth still = answer_apart(t, k, alone);
         broken = (broken & ~apart) | (apart & still);
         for (int r = 0; r < 6; r++)
-            for (int c = from; c < 7; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
+            for (int c = b.from; c < b.to; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
     }
-    w->broken |= broken & s->here;
+    w->broken |= broken & s->here, w->apart |= apart & s->here;
     return apart;
 }
 
 /* A row per unknown, as struct wf_beam_reaction; columns left out are those of the unit matrix times `unit`.
  */
-WF_INLINE void keep_reaction(const struct some *s, size_t array, int from, double unit, by_base A)
+WF_INLINE void take_rows(by_base A, struct columns b, double unit, real row[REACTION])
+{
+    for (int r = 0; r < 6; r++) {
+        for (int c = 0; c < 6; c++) row[6 * r + c] = c < b.from ? real_of(r == c ? unit : 0) : A[r][c];
+        row[36 + r] = A[r][NOW];
+        row[42 + r] = b.side ? A[r][TO_SIDE] : real_of(0);
+    }
+}
+
+WF_INLINE void keep_reaction(const struct some *s, size_t array, struct columns b, double unit, by_base A)
 {
     real row[REACTION];
     struct places to = places_of(s, array, REACTION);
-    for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(r == c ? unit : 0) : A[r][c];
-        row[36 + r] = A[r][6];
-    }
+    take_rows(A, b, unit, row);
     scatter(row, REACTION, s->n, &to);
 }
 
 /* Rows of the end's motion that follow_answer leaves out. */
-WF_INLINE void add_left_out(real P[6][6], by_base y, int from, by_base Z)
+WF_INLINE void add_left_out(real P[6][6], by_base y, struct columns b, by_base Z)
 {
-    for (int i = 0; i < from; i++)
+    for (int i = 0; i < b.from; i++)
         for (int m = 0; m < 6; m++)
-            for (int c = from; c < 7; c++) Z[i][c] += P[i][m] * y[m][c];
+            for (int c = b.from; c < b.to; c++) Z[i][c] += P[i][m] * y[m][c];
 }
 
 /* Pass the reaction on to the elements below. */
-WF_INLINE void pass_reaction(const struct some *s, int from, by_base B, real_truth apart)
+WF_INLINE void pass_reaction(const struct some *s, struct columns b, by_base B, real_truth apart)
 {
     real row[REACTION];
     struct places to = places_below(s, ARRAY(node), REACTION);
     if (real_any(apart))
         for (int r = 0; r < 6; r++)
-            for (int c = from; c < 7; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
-    for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) row[6 * r + c] = c < from ? real_of(0) : B[r][c];
-        row[36 + r] = B[r][6];
-    }
+            for (int c = b.from; c < b.to; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
+    take_rows(B, b, 0, row);
     scatter_add(row, REACTION, s->n, &to);
 }
 
@@ -383,17 +389,31 @@ WF_INLINE void keep_strain(const struct some *s, const struct taken *t)
     scatter(g[0], SHAPE / 2, s->n, &to);
 }
 
-WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part, enum variation kind)
+/* Changes of the strains where the loads grow. */
+WF_INLINE void keep_strain_shift(const struct some *s, const struct taken *t, const struct shift *shift)
+{
+    real g[2][3];
+    struct places to = places_of(s, ARRAY(side), SHAPE);
+    for (int k = 0; k < WF_WIDTH; k++) to.at[k] += SHAPE / 2;
+    for (int j = 0; j < 2; j++) m3_apply_transposed(t->base.L, shift->gap[j], g[j]);
+    scatter(g[0], SHAPE / 2, s->n, &to);
+}
+
+/* grows: the second constant is wanted too. */
+WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part, enum variation kind,
+                              bool grows)
 {
     const int from = first_column(kind);
+    const struct columns b = columns_of(from, grows ? BY_BASE : TO_SIDE);
     struct taken t;
+    struct shift given, *shift = grows ? &given : NULL;
     struct turns o;
     struct kinematics k;
     struct statics q;
     real P[6][6], S[6][6], T[6][6], Mn[2][9];
     by_base A, Z, B;
     struct places at = places_of(s, ARRAY(node), REACTION);
-    take(w, s, &t);
+    take(w, s, &t, shift);
     gather(&at, REACTION, (real *)&t.above);
     const real half = 0.5 * t.p.h;
     turns_of(&t.u, &o);
@@ -403,29 +423,40 @@ WF_INLINE void eliminate_some(struct work *w, const struct some *s, size_t part,
     pass_down(s, &t);
     stiffen_kinematics(&k, 1 + element_damping(&t.p, NULL, &k, &t.s, t.at));
     keep_strain(s, &t);
-    end_motion_of(half, &k, &q, from, P, Z);
-    element_equations(&t.p, NULL, &k, &q, &t.s, t.at, from, S, A, Mn);
-    attach_part_above(Mn, &t.above, P, Z, from, S, A);
+    if (grows) shift_of(&t.p, &t.s, t.at, &t.above, shift), keep_strain_shift(s, &t, shift);
+    end_motion_of(half, &k, &q, shift, b, P, Z);
+    element_equations(&t.p, NULL, &k, &q, &t.s, t.at, shift, from, S, A, Mn);
+    attach_part_above(Mn, &t.above, P, Z, b, S, A);
     if (w->counting) count_unstable(w, s, &t, S, &k);
     if (w->x->small) keep_small(s, &t, &q, P, S);
-    real_truth apart = solve_some(w, s, &t, &k, P, S, A, from);
+    real_truth apart = solve_some(w, s, &t, &k, P, S, A, b);
     for (int r = 0; r < 6; r++)
-        for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
-    base_wrench_of(half, &q, t.load, from, T, B);
-    follow_answer(half, &q, &t.above, P, T, A, from, Z, B);
-    add_left_out(P, A, from, Z);
-    keep_reaction(s, ARRAY(answer), from, 0, A);
-    keep_reaction(s, ARRAY(node), from, 1, Z);
-    pass_reaction(s, from, B, apart);
+        for (int c = from; c < b.to; c++) A[r][c] = -A[r][c];
+    base_wrench_of(half, &q, t.load, shift, b, T, B);
+    follow_answer(half, &q, &t.above, P, T, A, b, Z, B);
+    add_left_out(P, A, b, Z);
+    keep_reaction(s, ARRAY(answer), b, 0, A);
+    keep_reaction(s, ARRAY(node), b, 1, Z);
+    pass_reaction(s, b, B, apart);
 }
 
 static __attribute__((noinline)) void eliminate_upwards(struct work *w, const struct some *s, size_t part)
 {
-    eliminate_some(w, s, part, VARIES_UPWARDS);
+    eliminate_some(w, s, part, VARIES_UPWARDS, false);
 }
 static __attribute__((noinline)) void eliminate_varying(struct work *w, const struct some *s, size_t part)
 {
-    eliminate_some(w, s, part, VARIES);
+    eliminate_some(w, s, part, VARIES, false);
+}
+static __attribute__((noinline)) void eliminate_upwards_growing(struct work *w, const struct some *s,
+                                                                size_t part)
+{
+    eliminate_some(w, s, part, VARIES_UPWARDS, true);
+}
+static __attribute__((noinline)) void eliminate_varying_growing(struct work *w, const struct some *s,
+                                                                size_t part)
+{
+    eliminate_some(w, s, part, VARIES, true);
 }
 
 /* Sums over the lanes, in one order at any width. */
@@ -458,6 +489,11 @@ static void begin_work(struct wf_groups_sweep *const *x, size_t n, struct work *
         own->negative = 0, own->bears = 0;
     }
     set_air(loads, &w->air);
+    for (size_t k = 0; k < WF_WIDTH && x[0]->grows; k++) {
+        const struct wf_groups_sweep *own = x[k < n ? k : 0];
+        real_lane(w->air.grows_speed, k) = own->growth.speed;
+        real_lane(w->air.grows_density, k) = own->growth.density;
+    }
 }
 
 /* What a sweep computes of some elements. */
@@ -467,7 +503,9 @@ static of_some *kind_of(const struct work *w)
 {
     /* ties pull by where their ends are in all directions, as winds of any form blow */
     bool upwards = w->air.profile != WF_PROFILE_OTHER && !w->x->loads->ties;
-    return !w->x->tangent ? forces_of_some : upwards ? eliminate_upwards : eliminate_varying;
+    if (!w->x->tangent) return forces_of_some;
+    if (w->x->grows) return upwards ? eliminate_upwards_growing : eliminate_varying_growing;
+    return upwards ? eliminate_upwards : eliminate_varying;
 }
 
 static bool down(struct wf_groups_sweep *x)
@@ -486,6 +524,7 @@ static bool down(struct wf_groups_sweep *x)
         }
     }
     sum_up(&w, x);
+    x->apart = real_any(w.apart);
     return !real_any(w.broken);
 }
 
@@ -520,7 +559,7 @@ static void chains_down(struct wf_groups_sweep *const *x, size_t n)
         const struct beam_misfit *m = &w.misfit[0];
         x[k]->bending = real_lane(m->bending, k), x[k]->energy = real_lane(m->energy, k);
         x[k]->strain = sqrt(real_lane(m->strain, k)), x[k]->turn = sqrt(real_lane(m->turn, k));
-        x[k]->whole = !real_lane(w.broken, k);
+        x[k]->whole = !real_lane(w.broken, k), x[k]->apart = real_lane(w.apart, k);
     }
 }
 

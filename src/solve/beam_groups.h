@@ -32,6 +32,9 @@ struct wf_groups_sweep {
     const struct wf_loads *loads;
     double *shape, *pose, *stage, *wrench, *load, *node, *answer;
     double *small; /* NULL: not wanted; else filled with the tangent */
+    double *side;  /* as `shape`: with the tangent, changes of the strains where the loads grow: */
+    bool grows;
+    struct wf_beam_growth growth;
     double *off;   /* NULL: not wanted */
     bool *weak;    /* NULL: not wanted */
     bool upwards;  /* by chains: the way up */
@@ -43,6 +46,7 @@ struct wf_groups_sweep {
     /* returned by `down`, sums over the groups: as struct wf_beam_misfit and struct wf_beam_stability */
     double bending, energy, strain, turn, bears;
     size_t negative;
+    bool apart; /* by the guard an element was taken by itself */
     bool whole; /* by `chains_down`: as the answer of `down` */
 };
 
@@ -55,7 +59,8 @@ struct wf_groups_kernel {
     bool (*down)(struct wf_groups_sweep *x);
     /* The same of up to `width` trees side by side, whose elements stand one on another, by falling numbers
      * of elements; those on the ground are left out. On the way down they are alike in `tangent`, `frozen`,
-     * in `small` (wanted or not) and in the forms of their winds, and have no `off`, `weak` or ties. */
+     * in `small` (wanted or not), in `grows` and in the forms of their winds, and have no `off`, `weak` or
+     * ties. */
     void (*chains_up)(struct wf_groups_sweep *const *x, size_t n);
     void (*chains_down)(struct wf_groups_sweep *const *x, size_t n);
 };

@@ -101,7 +101,7 @@ static __attribute__((noinline)) void apart_answer(const struct wf_beam_part *p,
     for (int j = 0; j < 2; j++) axis_of(p, u, &o, L, j, &s);
     kinematics_of(p, u, &o, L, &s, NULL, &k);
     stiffen_kinematics(&k, 1 + element_damping(p, NULL, &k, &s, at));
-    bend_apart(p, NULL, &k, &s, at, 0, A);
+    bend_apart(p, NULL, &k, &s, at, columns_of(0, TO_SIDE), A);
 }
 
 /* Reactions from above the end of element i, and the loads at its end. */
@@ -166,6 +166,7 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
     const struct wf_beam_part *p = &w->mesh->part[i];
     const double half = 0.5 * p->h;
     const int from = first_column(kind);
+    const struct columns b = columns_of(from, TO_SIDE);
     struct wf_beam_pose ground;
     const struct wf_beam_pose *base = base_of(w, p, &ground);
     struct wf_beam_shape *u = &w->shape[i];
@@ -194,11 +195,11 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
         strain_of(p, base->L, &s, at, j, g);
         for (int c = 0; c < 3; c++) u->g[j][c] = real_choose(w->moving, g[c], u->g[j][c]);
     }
-    end_motion_of(half, &k, &q, from, P, Z);
-    element_equations(p, NULL, &k, &q, &s, at, from, S, A, Mn);
-    attach_part_above(Mn, &above.node, P, Z, from, S, A);
+    end_motion_of(half, &k, &q, NULL, b, P, Z);
+    element_equations(p, NULL, &k, &q, &s, at, NULL, from, S, A, Mn);
+    attach_part_above(Mn, &above.node, P, Z, b, S, A);
     if (counting) count_unstable(w, p, S, &k, &down);
-    w->broken |= solve6(S, A, from);
+    w->broken |= solve6(S, A, b);
     if (real_any(w->guard) && real_any(apart = w->guard & leaps(A, P))) {
         by_base alone;
         apart_answer(p, u, base->L, at, alone);
@@ -208,8 +209,8 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
     for (int r = 0; r < 6; r++)
         for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
     keep_answer(w, i, from, A);
-    base_wrench_of(half, &q, load, from, T, B);
-    follow_answer(half, &q, &above.node, P, T, A, from, Z, B);
+    base_wrench_of(half, &q, load, NULL, b, T, B);
+    follow_answer(half, &q, &above.node, P, T, A, b, Z, B);
     pass_down(w, i, p, from, B, apart, &down);
 }
 
@@ -618,19 +619,23 @@ static void take_points(const struct wf_loads *l, size_t n, const struct wf_lane
     }
 }
 
-static void loads(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
-                  struct wf_line_load *out)
+static void loads(const struct wf_loads *l, const struct wf_beam_growth *growth, size_t n,
+                  const struct wf_lanes_point *p, struct wf_line_load *out, double (*change)[3])
 {
     const struct wf_loads *all[WF_WIDTH];
     struct air air;
     for (int k = 0; k < WF_WIDTH; k++) all[k] = l;
     set_air(all, &air);
+    if (growth) air.grows_speed = real_of(growth->speed), air.grows_density = real_of(growth->density);
     for (size_t from = 0; from < n; from += WF_WIDTH) {
         struct real_point point;
         struct real_load q;
+        real grown[3];
         size_t some = n - from < WF_WIDTH ? n - from : WF_WIDTH;
         take_points(l, some, p + from, &point);
-        load_points(&air, &point, &q);
+        load_points(&air, &point, &q, growth ? grown : NULL);
+        for (size_t k = 0; k < some && growth; k++)
+            for (int i = 0; i < 3; i++) change[from + k][i] = real_lane(grown[i], k);
         for (size_t k = 0; k < some; k++) {
             struct wf_line_load *to = &out[from + k];
             for (int i = 0; i < 3; i++)

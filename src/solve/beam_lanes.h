@@ -14,7 +14,7 @@ enum {
     WF_LANES_POSE = 12,   /* struct wf_beam_pose of the element's end */
     WF_LANES_ANSWER = 42, /* at most: answers of the element to a change of its base */
     WF_LANES_STEP = 6,    /* rotation vectors before the last step */
-    WF_LANES_SLOT = 48,   /* what is passed between neighbouring elements */
+    WF_LANES_SLOT = 54,   /* what is passed between neighbouring elements */
     WF_LANES_ROW = 15, /* of a row: force and moment at its base (6), at its end (6), distributed load (3) */
     WF_LANES_SUMS = 12 /* force and moment on the ground (6), sums of the loads and of their moments (6) */
 };
@@ -58,9 +58,10 @@ struct wf_lanes_point {
 
 struct wf_lanes_kernel {
     size_t width;
-    /* Loads at n points of one state, at least 1, as wf_beam_load gives them. */
-    void (*loads)(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
-                  struct wf_line_load *out);
+    /* Loads at n points of one state, at least 1, as wf_beam_load gives them; growth (NULL: none): and their
+     * change by it [N/m]. */
+    void (*loads)(const struct wf_loads *l, const struct wf_beam_growth *growth, size_t n,
+                  const struct wf_lanes_point *p, struct wf_line_load *out, double (*change)[3]);
     /* Newton's method from the present shape. */
     void (*newton)(struct wf_lanes *x);
     /* One iteration from the present shape, for measurements. */

@@ -11,6 +11,11 @@
 #include "solve/solve.h"
 #include <stdint.h>
 
+/* A wind of the same form that is faster and denser by these shares, to first order. */
+struct wf_beam_growth {
+    double speed, density;
+};
+
 /* Two-stage Gauss collocation on 0..1 (Hairer, Lubich & Wanner 2006, Geometric Numerical Integration,
  * II.1.3). Both weights are 1/2. */
 

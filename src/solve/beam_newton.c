@@ -54,6 +54,7 @@ static struct wf_groups_sweep groups_of(const struct wf_beam *b)
                                      .node = &b->node->K[0][0],
                                      .answer = &b->answer->X[0][0],
                                      .small = b->small ? &b->small->R[0][0] : NULL,
+                                     .side = b->side->v[0],
                                      .off = b->off,
                                      .weak = b->weak,
                                      .frozen = b->frozen };
@@ -93,16 +94,17 @@ static void set_side_weight(struct wf_beam *b)
 
 static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
                               const struct wf_beam_creep *creep, const struct wf_line_load load[2],
-                              const struct wf_beam_wrench at[2], struct wf_beam_reaction *below, bool guard,
-                              struct wf_beam_stability *count)
+                              const struct wf_beam_wrench at[2], struct wf_beam_reaction *below,
+                              struct wf_beam_also *also)
 {
     const struct wf_beam_part *p = &b->mesh.part[i];
-    struct wf_beam_small *small = b->small ? &b->small[i] : NULL;
+    also->small = b->small ? &b->small[i] : NULL;
+    also->side = &b->side[i];
     if (b->flat)
         return wf_beam_eliminate_flat(p, &b->flat[i], &b->shape[i], L, creep, &b->stage[i], load, at,
-                                      &b->node[i], &b->answer[i], below, guard, count, small);
+                                      &b->node[i], &b->answer[i], below, also);
     return wf_beam_eliminate(p, &b->shape[i], L, creep, &b->stage[i], load, at, &b->node[i], &b->answer[i],
-                             below, guard, count, small);
+                             below, also);
 }
 
 /* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m - m0, with m0 the moment in the
@@ -158,9 +160,11 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
 /* Loads of elements, computed some ahead of the sweep down, side by side. */
 struct ahead {
     const struct wf_lanes_kernel *kernel;
-    size_t most; /* at once */
+    const struct wf_beam_growth *growth; /* NULL: none */
+    size_t most;                         /* at once */
     size_t n, used;
     struct wf_line_load load[AHEAD][2];
+    double change[AHEAD][2][3]; /* by the growth */
 };
 
 /* The loads of the k-th element that moves and of those that follow it on the way down. */
@@ -174,7 +178,7 @@ static void load_ahead(const struct wf_beam *b, size_t k, struct ahead *a)
             point[points++] = (struct wf_lanes_point){ b->stage[i].r[j], b->stage[i].t[j],
                                                        b->mesh.part[i].dead[j], &b->mesh.part[i].line[j] };
     }
-    a->kernel->loads(&b->loads, points, point, &a->load[0][0]);
+    a->kernel->loads(&b->loads, a->growth, points, point, &a->load[0][0], a->change[0]);
     a->n = points / 2, a->used = 0;
 }
 
@@ -189,76 +193,128 @@ static struct wf_line_load *load_of(const struct wf_beam *b, size_t k, struct ah
 }
 
 /* The elements that do not stand on the ground, by groups or beside those of other trees. */
-static bool many_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
+static bool many_down(struct wf_beam *b, bool tangent, struct wf_beam_also *also,
+                      const struct wf_beam_growth *growth)
 {
     struct wf_groups_sweep x = groups_of(b);
-    x.tangent = tangent, x.guard = guard, x.counting = count;
+    struct wf_beam_stability *count = also->count;
+    x.tangent = tangent, x.guard = also->guard, x.counting = count;
+    if (growth) x.grows = true, x.growth = *growth;
     if (count) x.margin = count->margin;
     bool whole = by_groups(b) ? wf_groups_kernel(WF_LANES_MOST)->down(&x) : wf_beam_team_down(&x);
     b->misfit = (struct wf_beam_misfit){ x.bending, x.energy, x.strain, x.turn };
     if (count) count->negative = x.negative, count->bears = x.bears;
+    also->apart = x.apart;
     return whole;
 }
 
-bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
+/* What stands on the ground: its wrench, and with the tangent (else NULL) its reaction. */
+static void ground_element(struct wf_beam *b, size_t i, const struct wf_beam_pose *base,
+                           const struct wf_beam_wrench *down, const struct wf_beam_reaction *root,
+                           struct wf_beam_stability *count)
 {
-    const bool groups = by_groups(b) || in_team(b);
-    struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST), .most = groups ? 1 : AHEAD };
-    struct wf_beam_pose ground, lowest;
+    struct wf_beam_pose lowest;
     const double *first = wf_beam_base(b, 0, &lowest)->r;
-    /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
-    bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
+    double arm[3] = { base->r[0] - first[0], base->r[1] - first[1], base->r[2] - first[2] }, lever[3];
+    wf_cross(arm, down->n, lever);
+    v3_add(b->base.n, 1, down->n);
+    v3_add(b->base.m, 1, down->m);
+    v3_add(b->base.m, 1, lever);
+    size_t unstable = count ? count->negative : 0;
+    tilt_root(b, (size_t)b->mesh.part[i].row, down, root, count);
+    if (count && count->negative > unstable) count->bears = INFINITY;
+    if (root) memcpy(b->root_side[b->mesh.part[i].row], root->side, sizeof root->side);
+}
+
+/* An element on the way down. false: its tangent is singular. */
+static bool down_element(struct wf_beam *b, size_t k, bool tangent, struct ahead *ahead,
+                         struct wf_beam_also *also)
+{
+    const size_t i = wf_beam_moved(b, k);
+    const struct wf_beam_part *p = &b->mesh.part[i];
+    struct wf_beam_pose ground;
+    const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
+    const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
+    const struct wf_beam_creep slow = { b->creep, (const double(*)[3])(b->creep > 0 ? b->k0[i] : NULL) };
+    const struct wf_beam_creep *creep = b->creep > 0 ? &slow : NULL;
+    struct wf_line_load *load = load_of(b, k, ahead);
+    struct wf_beam_wrench at[2], down;
+    struct wf_beam_reaction root = { { { 0 } }, { 0 }, { 0 } };
+    bool grounded = p->parent < 0, cut = on_held(b, i);
+    double before = b->misfit.bending;
+    for (int j = 0; j < 2; j++) memcpy(b->load[i][j], load[j].force, sizeof b->load[i][j]);
+    wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
+    wf_beam_misfit_add(p, &b->shape[i], base->L, creep, &b->stage[i], flat, at, &b->misfit);
+    size_t unstable = also->count ? also->count->negative : 0;
+    also->change = ahead->growth ? ahead->change[ahead->used - 1] : NULL;
+    if (tangent && !eliminate_element(b, i, base->L, creep, load, at,
+                                      grounded || cut ? &root : &b->node[p->parent], also))
+        return false;
+    if (also->count && also->count->negative > unstable) {
+        also->count->bears = fmax(also->count->bears, sqrt(wf_dot(down.n, down.n)));
+        if (b->weak) b->weak[i] = true;
+    }
+    if (b->off) b->off[i] = b->misfit.bending - before;
+    if (cut) return true;
+    if (grounded) {
+        ground_element(b, i, base, &down, tangent ? &root : NULL, also->count);
+        return true;
+    }
+    v3_add(b->wrench[p->parent].n, 1, down.n);
+    v3_add(b->wrench[p->parent].m, 1, down.m);
+    return true;
+}
+
+/* The elimination takes the forces of links as given. */
+bool wf_beam_has_side(const struct wf_beam *b)
+{
+    const struct wf_wind *now = b->loads.wind, *then = b->other ? b->other->wind : NULL;
+    return now && then && now->speed > 0 && wf_wind_form(now) != WF_PROFILE_OTHER && !b->links && !b->only &&
+           !(b->creep > 0);
+}
+
+/* The change of the wind: its force grows about with the square of the speed. */
+static struct wf_beam_growth growth_of(const struct wf_beam *b)
+{
+    const double faster = b->other->wind->speed / b->loads.wind->speed;
+    return (struct wf_beam_growth){ 0.5 * (faster * faster - 1),
+                                    b->other->wind_scale / b->loads.wind_scale - 1 };
+}
+
+/* guard: as of wf_beam_eliminate; an element that is then taken by itself leaves no count. The change to the
+ * other loads comes with the count: the last tangent of Newton's method is wanted. */
+static bool sweep_down(struct wf_beam *b, bool tangent, bool guard, struct wf_beam_stability *count)
+{
+    const bool groups = by_groups(b) || in_team(b), grows = tangent && count && wf_beam_has_side(b);
+    const struct wf_beam_growth growth = grows ? growth_of(b) : (struct wf_beam_growth){ 0 };
+    struct ahead ahead = { .kernel = wf_lanes_kernel(WF_LANES_MOST),
+                           .growth = grows ? &growth : NULL,
+                           .most = groups ? 1 : AHEAD };
+    struct wf_beam_also also = { .guard = guard, .count = count };
     b->misfit = (struct wf_beam_misfit){ 0 }, b->counted = b->finished = false;
+    if (tangent) b->sided = false;
     if (count) count->negative = 0, count->bears = 0;
     if (!b->only) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     wf_beam_ends_load(b);
     set_side_weight(b);
     if (tangent) wf_beam_ends_react(b);
-    if (groups && !many_down(b, tangent, guard, count)) return false;
+    if (groups && !many_down(b, tangent, &also, ahead.growth)) return false;
     for (size_t k = wf_beam_moving(b); k-- > 0;) {
-        const size_t i = wf_beam_moved(b, k);
-        if (groups && b->mesh.part[i].parent >= 0) continue;
-        const struct wf_beam_part *p = &b->mesh.part[i];
-        const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
-        const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
-        const struct wf_beam_creep slow = { b->creep, (const double(*)[3])(b->creep > 0 ? b->k0[i] : NULL) };
-        const struct wf_beam_creep *creep = b->creep > 0 ? &slow : NULL;
-        struct wf_line_load *load = load_of(b, k, &ahead);
-        struct wf_beam_wrench at[2], down;
-        struct wf_beam_reaction root = { { { 0 } }, { 0 } };
-        bool grounded = p->parent < 0, cut = on_held(b, i);
-        double before = b->misfit.bending;
-        for (int j = 0; j < 2; j++) memcpy(b->load[i][j], load[j].force, sizeof b->load[i][j]);
-        wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
-        wf_beam_misfit_add(p, &b->shape[i], base->L, creep, &b->stage[i], flat, at, &b->misfit);
-        size_t unstable = count ? count->negative : 0;
-        if (tangent && !eliminate_element(b, i, base->L, creep, load, at,
-                                          grounded || cut ? &root : &b->node[p->parent], guard, count))
-            return false;
-        if (count && count->negative > unstable) {
-            count->bears = fmax(count->bears, sqrt(wf_dot(down.n, down.n)));
-            if (b->weak) b->weak[i] = true;
-        }
-        if (b->off) b->off[i] = b->misfit.bending - before;
-        if (cut) continue;
-        if (!grounded) {
-            v3_add(b->wrench[p->parent].n, 1, down.n);
-            v3_add(b->wrench[p->parent].m, 1, down.m);
-            continue;
-        }
-        double arm[3] = { base->r[0] - first[0], base->r[1] - first[1], base->r[2] - first[2] }, lever[3];
-        wf_cross(arm, down.n, lever);
-        v3_add(b->base.n, 1, down.n);
-        v3_add(b->base.m, 1, down.m);
-        v3_add(b->base.m, 1, lever);
-        unstable = count ? count->negative : 0;
-        tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
-        if (count && count->negative > unstable) count->bears = INFINITY;
+        if (groups && b->mesh.part[wf_beam_moved(b, k)].parent >= 0) continue;
+        if (!down_element(b, k, tangent, &ahead, &also)) return false;
     }
     if (b->links && !b->only && !wf_beam_links_join(b, tangent, count)) return false;
     if (count) b->stability = *count;
-    b->counted = count && isfinite(b->misfit.bending);
-    return isfinite(b->misfit.bending);
+    bool finite = isfinite(b->misfit.bending);
+    b->counted = count && finite && !also.apart;
+    if (grows) b->sided = finite && !also.apart;
+    return finite;
+}
+
+bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
+{
+    /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
+    return sweep_down(b, tangent, !count && b->misfit.bending > 1e-3 * b->misfit.energy, count);
 }
 
 /* The beam and Newton's method. */
@@ -282,14 +338,16 @@ bool wf_beam_take_newton(struct wf_beam *b, struct wf_arena *a)
     b->answer = wf_arena_take_unset(a, n, sizeof *b->answer);
     b->change = wf_arena_take_unset(a, n, sizeof *b->change);
     b->dv = wf_arena_take_unset(a, n, sizeof *b->dv);
+    b->side = wf_arena_take_unset(a, n, sizeof *b->side);
+    b->root_side = wf_arena_take_unset(a, b->mesh.tree->n, sizeof *b->root_side);
     if (!b->chain) b->off = wf_arena_take_unset(a, n, sizeof *b->off);
     p->id = wf_arena_take_unset(a, n, sizeof *p->id);
     p->held = wf_arena_take_unset(a, n, sizeof *p->held);
     p->root = wf_arena_take_unset(a, n, sizeof *p->root);
     p->place = wf_arena_take_unset(a, n, sizeof *p->place);
     p->saved = wf_arena_take_unset(a, n, sizeof *p->saved);
-    return b->node && b->answer && b->change && b->dv && (b->chain || b->off) && p->id && p->held &&
-           p->root && p->place && p->saved;
+    return b->node && b->answer && b->change && b->dv && b->side && b->root_side && (b->chain || b->off) &&
+           p->id && p->held && p->root && p->place && p->saved;
 }
 
 /* Rows up to the last that stands on the ground. */
@@ -550,11 +608,11 @@ static bool stalls(const struct wf_beam *b, double was)
  * further step with the tangent. Returned: does it converge? If not, nothing has changed. */
 static bool land(struct wf_beam *b, bool watch)
 {
-    const double tight = 1e-8, likely = 0.1;
+    const double likely = 0.1;
     const double t = b->options->tolerance;
     const struct wf_beam_misfit before = b->misfit;
     const bool counted = b->counted;
-    if (!(t <= tight && relative(b) <= likely * t) || (watch && !counted) || b->only || b->links)
+    if (!(t <= WF_BEAM_TIGHT && relative(b) <= likely * t) || (watch && !counted) || b->only || b->links)
         return false;
     if (!isfinite(newton_corrections(b))) return false;
     apply_correction(b, 1);
@@ -575,9 +633,10 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     const double nearly = 0.8, few = 0.5;
     double before = INFINITY, relaxed_at = INFINITY;
     if (!b->only) b->tries = b->off && !b->links && !b->by_steps ? TRIES : 0;
-    b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
-    if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
+    struct wf_beam_stability count = { .margin = stability_margin(b) };
+    if (!sweep_down(b, true, true, watch && b->close ? &count : NULL)) return WF_ENOCONV;
+    b->close = false;
     for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {
         if (i % STALL == 0) {
             if (b->misfit.bending > 0.5 * before) return WF_ENOCONV;
@@ -596,7 +655,7 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     return newton_converged(b) ? WF_OK : WF_ENOCONV;
 }
 
-enum wf_status wf_beam_newton(struct wf_beam *b) { return newton(b, false); }
+enum wf_status wf_beam_newton(struct wf_beam *b) { return newton(b, b->other); }
 
 /* A twig that may snap to another shape does not bring down the tree: parts that carry less than a hundredth
  * of the force on the ground are counted (loose), not refused. */

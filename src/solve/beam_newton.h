@@ -18,9 +18,15 @@ bool wf_beam_take_newton(struct wf_beam *b, struct wf_arena *newton);
 
 /* Base to tips: position and rotation of every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);
+/* Can the change to the other loads come with the tangent (solve/beam_side.h)? */
+bool wf_beam_has_side(const struct wf_beam *b);
 /* Tips to base: internal forces and residual; with `tangent` also the tangent, eliminated; with count (may
  * be NULL) also the number of unstable directions. false when the tangent is singular. */
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count);
+
+/* Tolerance up to which the last step of Newton's method may be made without a tangent of the shape it leads
+ * to (b->finished). */
+#define WF_BEAM_TIGHT 1e-8
 
 /* Newton's method with line search at the present loads, from the present shape. Returned: WF_OK; WF_ENOCONV
  * with the shape where it stalled. */
@@ -35,15 +41,15 @@ bool wf_beam_stable(struct wf_beam *b);
 bool wf_beam_rests(struct wf_beam *b);
 
 /* One Newton step from the present shape (after wf_beam_sweep_up) at the present loads, and the forces of the
- * shape it leads to: from the equilibrium at loads that differ by d, the error is of order d^2. *stable (NULL:
- * not wanted): as wf_beam_stable, of the present shape, without a sweep of its own.
- * wf_beam_finish: the same with the tangent of the last sweep, after which neither shape nor loads have
- * changed. false: the tangent is singular. */
+ * shape it leads to: from the equilibrium at loads that differ by d, the error is of order d^2. *stable
+ * (NULL: not wanted): as wf_beam_stable, of the present shape, without a sweep of its own. wf_beam_finish:
+ * the same with the tangent of the last sweep, after which neither shape nor loads have changed. false: the
+ * tangent is singular. */
 bool wf_beam_step(struct wf_beam *b, bool *stable);
 bool wf_beam_finish(struct wf_beam *b);
 
-/* Did the last sweep take an element by itself (guard of wf_beam_eliminate), so that its tangent is not exact?
- * May also be said of an element on which nothing acts. */
+/* Did the last sweep take an element by itself (guard of wf_beam_eliminate), so that its tangent is not
+ * exact? May also be said of an element on which nothing acts. */
 bool wf_beam_apart(const struct wf_beam *b);
 
 /* Pose of the base of element i: the end of the element below, or the root plate (written to *ground).

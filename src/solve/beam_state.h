@@ -37,12 +37,19 @@ struct wf_beam {
     struct wf_beam_answer *answer;
     double (*change)[6]; /* of the end */
     double (*dv)[2][3];
-    double (*k0)[2][3];          /* curvature at the start of a creep step */
-    double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
-    struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it, or there are links */
-    struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
-    wf_four (*root_moved)[6];    /* as `small`, per row, for roots: change of the base pose by small loads */
-    struct wf_beam_links *links; /* NULL: there are none (solve/beam_ends.h) */
+    double (*k0)[2][3];           /* curvature at the start of a creep step */
+    double (*tilt0)[3];           /* per row, for roots: tilt at the start of a creep step */
+    struct wf_beam_small *small;  /* NULL unless wf_beam_linearise allocated it, or there are links */
+    struct wf_beam_sides *sides;  /* as `small`: work space of solutions for small loads */
+    wf_four (*root_moved)[6];     /* as `small`, per row, for roots: change of the base pose by small loads */
+    struct wf_beam_links *links;  /* NULL: there are none (solve/beam_ends.h) */
+    const struct wf_loads *other; /* loads to which the change is wanted with the last tangent of Newton's
+                                     method (solve/beam_side.h); NULL: not wanted */
+    bool sided;                   /* the last tangent came with it: */
+    struct wf_beam_shape *side;   /* of the unknowns */
+    bool close;                   /* the start of Newton's method is likely to be within the tolerance */
+    double (*root_side)[6];       /* per row, for roots: of the wrench on the ground, at a root that keeps its
+                                     place;       then of tilt and spin of the plate */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */

@@ -10,8 +10,8 @@ static bool alike(const struct wf_groups_sweep *a, const struct wf_groups_sweep 
 {
     const struct wf_wind *x = a->loads->wind, *y = b->loads->wind;
     if (a->upwards || b->upwards) return a->upwards == b->upwards;
-    return a->tangent == b->tangent && a->frozen == b->frozen && !a->small == !b->small && !x == !y &&
-           (!x || wf_wind_form(x) == wf_wind_form(y));
+    return a->tangent == b->tangent && a->frozen == b->frozen && !a->small == !b->small &&
+           a->grows == b->grows && !x == !y && (!x || wf_wind_form(x) == wf_wind_form(y));
 }
 
 /* How many of the n are like one? */

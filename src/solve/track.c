@@ -2,6 +2,7 @@
 #include "solve/track.h"
 #include "base/vec3.h"
 #include "solve/beam.h"
+#include "solve/beam_side.h"
 #include "solve/modes.h"
 #include <math.h>
 #include <stdlib.h>
@@ -324,6 +325,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
     k->rested = false;
     enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, newton_of(k, l), e);
     if (!s) {
+        k->beam.other = before.beam.other;
         wf_beam_carry(&before.beam, &k->beam);
         k->beam.iterations = before.beam.iterations, k->beam.steps = before.beam.steps;
         if (!comes_to_rest(k, l, &scratch)) {
@@ -403,8 +405,7 @@ static bool start_anew(struct wf_track *k, const struct wf_loads *l)
     return wf_beam_rests(&k->beam);
 }
 
-/* From the last form at the wind speed `from` by smaller steps of the wind speed, each from the one before.
- */
+/* From the last form at the wind speed `from` by smaller steps of the speed, each from the one before. */
 static bool approach(struct wf_track *k, const struct wf_loads *l, double from, struct wf_arena *scratch)
 {
     enum { TRIES = 16 };
@@ -496,6 +497,7 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
         return start->other->speed;
     }
     stations_beside(k, to, beside);
+    k->beam.close = (beside[0] && beside[1]) || (near_station(k, to, 1.05) && s->led);
     if (between && to > 0 && beside[0] && beside[1]) {
         copy_form(k, k->last, s->at);
         put_between(k, beside[0], beside[1], to);
@@ -544,8 +546,7 @@ static bool check_is_due(const struct wf_track *k, const struct wf_loads *l)
     return !(below && above);
 }
 
-/* From solutions beside this one, unless that was tried: Newton's method, then all that the beam solver does.
- */
+/* From solutions beside this one, unless that was tried: Newton's method, then all the beam solver does. */
 static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
                             bool tried, struct wf_err *e)
 {
@@ -569,14 +570,17 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     return s || !due ? s : check_mesh(k, l, e);
 }
 
-/* The answer, and that at the other loads: one Newton step further at each, of which the first takes away
- * what Newton's method has left. *stable (NULL: it is known): is the equilibrium? */
+/* The answer, one Newton step further, which takes away what Newton's method has left, and that at the other
+ * loads: by the same tangent, or by another step. *stable (NULL: known): is the equilibrium? */
 static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, bool alone, bool *stable,
                                 struct wf_arena *a, struct wf_tracked *out, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
     enum wf_status s = alone ? WF_OK : wf_response_alloc(&out->side, k->tree->n, a, e);
     if (s) return s;
+    const bool landed = b->finished; /* there is no tangent of the shape, and nothing left */
+    b->other = alone ? NULL : side;
+    bool known = !alone && !landed && wf_beam_side_find(b, stable);
     if (!wf_beam_finish(b)) return WF_OK;
     wf_beam_read(b, &out->at);
     out->finished = true;
@@ -586,10 +590,9 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
         return WF_OK;
     }
     keep(k, k->lead);
-    put_back(k, k->last);
-    wf_beam_sweep_up(b);
-    b->loads = *side;
-    if (!wf_beam_step(b, stable)) return WF_OK;
+    if (landed) known = wf_beam_side_find(b, stable);
+    if (!known || landed) put_back(k, k->last);
+    if (!(known ? wf_beam_side_take(b) : wf_beam_side_step(b, stable))) return WF_OK;
     wf_beam_read(b, &out->side);
     const struct form at = k->lead; /* the last form is now that which was read; lead = side - at */
     k->lead = k->last;
@@ -600,8 +603,8 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     return WF_OK;
 }
 
-/* Solve and read where Newton's method alone leads to an equilibrium: that it is stable shows in the sweep at
- * the other loads, which saves one. Returned: *done; where it is false, the last form is as before. */
+/* Solve and read where Newton's method alone leads to an equilibrium: that it is stable shows in the sweep
+ * that gives the derivative. Returned: *done; where it is false, the last form is as before. */
 static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
                                  const struct wf_track_start *start, struct wf_arena *a,
                                  struct wf_tracked *out, bool *done, struct wf_err *e)
@@ -637,6 +640,7 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
     bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), WF_TRACK_NEAR)), done = false;
+    k->beam.other = !start->alone && k->options.tolerance > WF_BEAM_TIGHT ? side : NULL;
     bool soon = on && side && !start->alone && !check_is_due(k, l);
     if (soon) s = solve_soon(k, l, side, start, a, out, &done, e);
     if (s) return s;
@@ -678,6 +682,7 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
 {
     if (!take_newton(k)) return no_newton(k, e);
     enum wf_status s = solve(k, l, side, start, a, out, e);
+    k->beam.other = NULL;
     own_wind(k);
     wf_arena_free(&k->newton);
     return s;

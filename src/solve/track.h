@@ -38,13 +38,14 @@ struct wf_track_start {
     bool alone; /* the answer to `side` is not wanted, and no solution near this one follows on this track */
 };
 
-/* Equilibrium at the loads `l`. Given: `side` (NULL: not wanted), loads that differ from l by a small d; the
- * response to them is first-order: its difference to the answer, over d, is the derivative of the answer to
- * an error of order d. Returned: as the solver 'beam'. Method: Newton's method on the mesh of the last
- * solution, from a shape between those of the solutions beside this one, by their values and derivatives, or
- * from the nearest moved along its derivative where it is near; and what the beam solver does where that
- * fails. The mesh is compared with one twice as fine at the first and every fourth solution, unless it was
- * found good near its wind speed or on both sides of it, and refined where it does not meet the tolerance. */
+/* Equilibrium at the loads `l`. Given: `side` (NULL: not wanted), loads that differ from l by a small d, in
+ * the wind's speed and wind_scale alone; the response to them is first-order: its difference to the answer,
+ * over d, is the derivative of the answer to an error of order d and of what the tolerance leaves. Returned:
+ * as the solver 'beam'. Method: Newton's method on the mesh of the last solution, from a shape between those
+ * of the solutions beside this one, by their values and derivatives, or from the nearest moved along its
+ * derivative where it is near; and what the beam solver does where that fails. The mesh is compared with one
+ * twice as fine at the first and every fourth solution, unless it was found good near its wind speed or on
+ * both sides of it, and refined where it does not meet the tolerance. */
 enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
                               const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
                               struct wf_err *e);
