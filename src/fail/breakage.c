@@ -38,7 +38,7 @@ struct row {
     size_t i;
     double length, slope0[3], slope1[3]; /* slopes of the moment at the ends: dM/ds = -t x F */
     struct wf_section_load end[2], near[2];
-    bool have[2];
+    bool ended[2], have[2];
     struct grid {
         bool there;
         double low, step; /* of the place s */
@@ -69,16 +69,26 @@ static struct wf_section_load load_inside(const struct row *w, double s)
     return section_load_at(t, r, i, s, force, moment, axis);
 }
 
-static void read_ends(const struct wf_tree *t, const struct wf_response *r, size_t i, struct row *w)
+static void begin_row(const struct wf_tree *t, const struct wf_response *r, size_t i, struct row *w)
 {
     w->t = t, w->r = r, w->i = i;
     w->length = wf_tree_length(t, i);
     wf_cross(r->force0 + 3 * i, r->tangent0 + 3 * i, w->slope0);
     wf_cross(r->force1 + 3 * i, r->tangent1 + 3 * i, w->slope1);
-    w->have[0] = w->have[1] = false;
+    w->ended[0] = w->ended[1] = w->have[0] = w->have[1] = false;
     for (int round = 0; round < ROUNDS; round++) w->grid[round].there = false;
-    w->end[0] = section_load_at(t, r, i, 0, r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i);
-    w->end[1] = section_load_at(t, r, i, 1, r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i);
+}
+
+static const struct wf_section_load *load_at_end(struct row *w, int end)
+{
+    const struct wf_response *r = w->r;
+    const size_t i = w->i;
+    const double *force = end ? r->force1 : r->force0, *moment = end ? r->moment1 : r->moment0,
+                 *axis = end ? r->tangent1 : r->tangent0;
+    if (!w->ended[end])
+        w->end[end] = section_load_at(w->t, r, i, end, force + 3 * i, moment + 3 * i, axis + 3 * i);
+    w->ended[end] = true;
+    return &w->end[end];
 }
 
 /* What is compared between places of a row: the stress, or with a rule stress over resistance. */
@@ -116,7 +126,7 @@ static const struct wf_section_load *loads_between(struct row *w, int round, dou
  * grid of sixteenths is refined three times around its best point. */
 static double row_peak(struct row *w, const struct wf_section_rule *rule, double *place)
 {
-    double at0 = measure(w, rule, 0, &w->end[0]), at1 = measure(w, rule, 1, &w->end[1]);
+    double at0 = measure(w, rule, 0, load_at_end(w, 0)), at1 = measure(w, rule, 1, load_at_end(w, 1));
     double best = fmax(at0, at1), low = 0, high = 1;
     *place = at1 > at0 ? 1 : 0;
     const int larger = at1 > at0; /* from it the measure seldom rises inwards */
@@ -135,35 +145,36 @@ static double row_peak(struct row *w, const struct wf_section_rule *rule, double
 }
 
 /* The measure at a place that is known. */
-static double measure_at(const struct row *w, const struct wf_section_rule *rule, double place)
+static double measure_at(struct row *w, const struct wf_section_rule *rule, double place)
 {
     if (place > 0 && place < 1) return measure_inside(w, rule, place);
-    return measure(w, rule, place, &w->end[place >= 1]);
+    return measure(w, rule, place, load_at_end(w, place >= 1));
 }
 
-static bool take_columns(const struct wf_tree *t, struct wf_breakage *b, struct wf_arena *a)
+static bool take_columns(const struct wf_tree *t, bool ends, struct wf_breakage *b, struct wf_arena *a)
 {
-    double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,   &b->axial1,    &b->bending0,
-                          &b->bending1, &b->torsion0, &b->torsion1, &b->stress0,   &b->stress1,
-                          &b->safety0,  &b->safety1,  &b->peak,     &b->peak_place };
+    enum { ALWAYS = 2 }; /* the rest are of the ends */
+    double **column[] = { &b->peak,    &b->peak_place, &b->shear0,   &b->shear1,   &b->axial0,
+                          &b->axial1,  &b->bending0,   &b->bending1, &b->torsion0, &b->torsion1,
+                          &b->stress0, &b->stress1,    &b->safety0,  &b->safety1 };
     b->n = t->n;
-    for (size_t k = 0; k < sizeof column / sizeof *column; k++)
-        if (!(*column[k] = WF_TAKE(a, t->n, double))) return false;
+    for (size_t k = 0; k < (ends ? sizeof column / sizeof *column : ALWAYS); k++)
+        if (!(*column[k] = wf_arena_take_unset(a, t->n, sizeof **column[k]))) return false;
     for (int c = 0; c < WF_CRITERIA; c++) {
         const struct wf_criterion *x = &wf_criteria[c];
         if (c == WF_BREAKAGE || !x->section || !wf_criterion_known(x, t, WF_SCOPE_TREE)) continue;
-        b->use[c] = WF_TAKE(a, t->n, double);
-        b->use_place[c] = WF_TAKE(a, t->n, double);
+        b->use[c] = wf_arena_take_unset(a, t->n, sizeof *b->use[c]);
+        b->use_place[c] = wf_arena_take_unset(a, t->n, sizeof *b->use_place[c]);
         if (!b->use[c] || !b->use_place[c]) return false;
     }
     return true;
 }
 
-/* Stresses of a row at its ends and where they are largest. */
-static void check_row(struct row *w, const struct wf_breakage *like, struct wf_breakage *b)
+/* Section forces and stresses of a row at its ends. */
+static void check_ends(struct row *w, struct wf_breakage *b)
 {
     size_t i = w->i;
-    const struct wf_section_load *s0 = &w->end[0], *s1 = &w->end[1];
+    const struct wf_section_load *s0 = load_at_end(w, 0), *s1 = load_at_end(w, 1);
     b->shear0[i] = s0->shear, b->shear1[i] = s1->shear;
     b->axial0[i] = s0->axial, b->axial1[i] = s1->axial;
     b->bending0[i] = s0->bending, b->bending1[i] = s1->bending;
@@ -171,6 +182,12 @@ static void check_row(struct row *w, const struct wf_breakage *like, struct wf_b
     b->stress0[i] = s0->stress, b->stress1[i] = s1->stress;
     b->safety0[i] = wf_safety_factor(w->t->strength[i], s0->stress);
     b->safety1[i] = wf_safety_factor(w->t->strength[i], s1->stress);
+}
+
+/* Stress and use of a row where they are largest. */
+static void check_row(struct row *w, const struct wf_breakage *like, struct wf_breakage *b)
+{
+    size_t i = w->i;
     if (like)
         b->peak[i] = measure_at(w, NULL, b->peak_place[i] = like->peak_place[i]);
     else
@@ -201,11 +218,12 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
     *b = (struct wf_breakage){ .largest_stress_row = -1 };
     if (r->n != t->n)
         return wf_fail(e, WF_EINTERNAL, "breakage: the answer has %zu segments, the tree %zu", r->n, t->n);
-    if (!take_columns(t, b, a))
+    if (!take_columns(t, !like, b, a))
         return wf_fail(e, WF_ENOMEM, "breakage: not enough memory for %zu segments", t->n);
     for (size_t i = 0; i < t->n; i++) {
         struct row w;
-        read_ends(t, r, i, &w);
+        begin_row(t, r, i, &w);
+        if (!like) check_ends(&w, b);
         check_row(&w, like, b);
         if (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress)
             b->largest_stress = b->peak[i], b->largest_stress_row = (int32_t)i;

@@ -59,7 +59,7 @@ struct wf_breakage {
 };
 /* Section forces, stresses and safety factors of a solved tree. Given: tree and its response; `like` (NULL:
  * searched), whose places in each row are taken: those of a neighbouring response give its derivative without
- * the steps of a search. Returned: *out
+ * the steps of a search, and the columns of the ends are left out (NULL). Returned: *out
  * with arrays of n in the arena. peak, peak_place and largest_stress include the inside of each row;
  * safety0/1 are those of its two ends. Method: inside a row the moment is the cubic that fits moments and
  * forces at both ends (dM/ds = -t x F), force and radii are linear; where the stress rises inwards from both

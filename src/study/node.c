@@ -197,14 +197,13 @@ static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_opt
 
 static float single(double x) { return isfinite(x) ? (float)x : 0.0F; }
 
-/* Utilisation or stress of all rows. */
-static void read_column(const struct wf_tree *t, const struct wf_at_speed *at, int column, double *out)
+/* Utilisation or stress of a row. */
+static double read_row(const struct wf_tree *t, const struct wf_at_speed *at, int column, size_t i)
 {
     double place;
-    for (size_t i = 0; i < t->n; i++)
-        out[i] = column == WF_NODE_STRESS ? at->breakage.peak[i]
-                                          : 1.0 / wf_criterion_safety(&wf_criteria[column], t, &at->response,
-                                                                      &at->breakage, i, &place);
+    return column == WF_NODE_STRESS
+               ? at->breakage.peak[i]
+               : 1.0 / wf_criterion_safety(&wf_criteria[column], t, &at->response, &at->breakage, i, &place);
 }
 
 bool wf_node_part_holds(const struct wf_analysis *an, enum wf_node_part part, size_t row)
@@ -228,21 +227,16 @@ static enum wf_status take_columns(const struct wf_tree *t, struct wf_arena *a, 
 }
 
 /* The rows of a state in a column, from the answers at the speed and at one a little higher. */
-static enum wf_status read_rows(const struct wf_analysis *an, enum wf_node_part part,
-                                const struct wf_speed_answers *r, int column, struct wf_arena *scratch,
-                                struct wf_node_column *to, struct wf_err *e)
+static void read_rows(const struct wf_analysis *an, enum wf_node_part part, const struct wf_speed_answers *r,
+                      int column, struct wf_node_column *to)
 {
     const struct wf_tree *t = &an->tree;
-    double *at = WF_TAKE(scratch, t->n, double), *side = WF_TAKE(scratch, t->n, double);
-    if (!at || !side) return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
-    read_column(t, &r->at, column, at);
-    if (r->step > 0.0) read_column(t, &r->side, column, side);
     for (size_t i = 0; i < t->n; i++) {
         if (!wf_node_part_holds(an, part, i)) continue;
-        to->value[i] = single(at[i]);
-        to->gain[i] = r->step > 0.0 ? single((side[i] - at[i]) / r->step) : 0.0F;
+        const double at = read_row(t, &r->at, column, i);
+        to->value[i] = single(at);
+        to->gain[i] = r->step > 0.0 ? single((read_row(t, &r->side, column, i) - at) / r->step) : 0.0F;
     }
-    return WF_OK;
 }
 
 /* Slopes of totals that are those of a governing row, as far as its state is known. */
@@ -283,12 +277,12 @@ static void join(const struct wf_analysis *an, struct wf_node *node)
 
 /* Values and slopes of a state, from the answers at the speed and at one a little higher. */
 static enum wf_status read_state(struct wf_nodes *k, enum wf_node_part part, struct wf_speed_answers *r,
-                                 struct wf_arena *scratch, struct wf_node *node, struct wf_err *e)
+                                 struct wf_node *node, struct wf_err *e)
 {
     double v[2][WF_TOTALS];
     enum wf_status s = take_columns(&k->an->tree, &k->arena, node, e);
     for (int c = 0; c < WF_NODE_COLUMNS && !s; c++)
-        if (node->column[c].value) s = read_rows(k->an, part, r, c, scratch, &node->column[c], e);
+        if (node->column[c].value) read_rows(k->an, part, r, c, &node->column[c]);
     if (s) return s;
     if (part == WF_NODE_STEM && r->step > 0.0) {
         wf_totals_read(&r->at, v[0]);
@@ -323,7 +317,7 @@ static enum wf_status solve_state(struct wf_nodes *k, struct sequence *q, enum w
     const struct wf_track_start near = { .other = other_track(k, q, part) };
     enum wf_status s = wf_speed_track(k->an, load[part], q->track[part], speed, &near, &scratch, &r, e);
     wf_stage_step(1);
-    if (!s && !r.at.status) s = read_state(k, part, &r, &scratch, node, e);
+    if (!s && !r.at.status) s = read_state(k, part, &r, node, e);
     if (!s) {
         wf_speed_drop_columns(&r.at);
         *to = (struct wf_node_state){

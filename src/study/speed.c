@@ -253,9 +253,17 @@ static double row_weight(const struct wf_tree *t, const struct wf_loads *l, size
     return sum * l->gravity * l->weight_scale;
 }
 
+/* Weight of the rows [N]; NULL: not enough memory. */
+static double *row_weights(const struct wf_tree *t, const struct wf_loads *l, struct wf_arena *a)
+{
+    double *out = wf_arena_take_unset(a, t->n, sizeof *out);
+    for (size_t i = 0; i < t->n && out; i++) out[i] = row_weight(t, l, i);
+    return out;
+}
+
 /* As fill_at_speed, without columns of figures: totals from the solver's own loads, of which the weight is
- * known. Vertical dead line loads cannot be told from lift in them. */
-static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_loads *l,
+ * known (`rows`, by row_weights). Vertical dead line loads cannot be told from lift in them. */
+static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_loads *l, const double *rows,
                                   const struct wf_breakage *like, struct wf_arena *a, struct wf_at_speed *out,
                                   struct wf_err *e)
 {
@@ -266,7 +274,7 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     enum wf_status s = fill_stresses(an, like, a, out, e);
     if (s) return s;
     for (size_t i = 0; i < t->n; i++) {
-        double weight = row_weight(t, l, i);
+        const double weight = rows[i];
         for (int k = 0; k < 3; k++) totals.air[k] += r->load[3 * i + (size_t)k];
         totals.air[2] += weight;
         totals.weight += weight + (t->mass1 ? t->mass1[i] * l->gravity * l->weight_scale : 0.0);
@@ -554,10 +562,13 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     out->at.response = t.at;
     out->irregular = t.irregular;
     s = note_status(s, &why, &out->at, e);
-    if (!s && !out->at.status) s = fill_totals(an, &loads, NULL, a, &out->at, e);
-    if (s || out->at.status || !t.sided) return s;
+    if (s || out->at.status) return s;
+    const double *rows = row_weights(&an->tree, &loads, a); /* of which both loads have as much */
+    if (!rows) return wf_fail(e, WF_ENOMEM, "not enough memory for the weight of %zu rows", an->tree.n);
+    s = fill_totals(an, &loads, rows, NULL, a, &out->at, e);
+    if (s || !t.sided) return s;
     out->step = speed * share * (1.0 + 0.5 * share); /* the answer to the side's loads, which grow about with
                                                         the square of the speed, is that of first order */
     out->side.response = t.side;
-    return fill_totals(an, &side, &out->at.breakage, a, &out->side, e);
+    return fill_totals(an, &side, rows, &out->at.breakage, a, &out->side, e);
 }
