@@ -144,7 +144,7 @@ static enum wf_status node_near(const struct search *q, double speed, const stru
 
 /* Refine the critical speed found on a coarse mesh to the mesh tolerance of the options by Newton's method in
  * logarithms. Returned: c->speed, and the node it was taken from, with *step from it, the errors of which are
- * those of a power law over so short a step; *step NAN: none was taken. */
+ * those of a power law over so short a step; *step NAN: values and slopes do not lead to the crossing. */
 static enum wf_status polish_sloped(const struct search *q, struct wf_critical *c,
                                     const struct wf_node **node, double *step, struct wf_err *e)
 {
@@ -160,8 +160,11 @@ static enum wf_status polish_sloped(const struct search *q, struct wf_critical *
         if (!(fabs(next) < 0.02 * c->speed)) return WF_OK;
         c->speed = (*node)->at.speed + next;
         c->speed_low = c->speed - fabs(next), c->speed_high = c->speed + fabs(next);
-        *step = next;
-        if (fabs(next * slope) <= near || k == 4) return WF_OK;
+        if (fabs(next * slope) <= near) {
+            *step = next;
+            return WF_OK;
+        }
+        if (k == 4) return WF_OK;
     }
 }
 
@@ -475,11 +478,12 @@ static enum wf_status finish(struct search *q, const struct wf_solve_options *qu
         q->o = &exact;
         s = polish_sloped(q, c, &node, &step, e);
     }
-    if (s || state_of(q, node)->status) return s;
+    if (s) return s;
+    if (isnan(step)) return search_by_steps(q, quick, fine, e);
     const struct wf_worst *worst = &state_of(q, node)->worst[q->criterion][q->scope];
     if (worst->row < 0) return WF_OK;
     place_at(&q->an->tree, worst, q->out);
-    return totals_there(q, quick, node, isnan(step) ? 0.0 : step, e);
+    return totals_there(q, quick, node, step, e);
 }
 
 static int by_critical(const void *a, const void *b)
