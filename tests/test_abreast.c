@@ -151,7 +151,7 @@ static void *rest(void *context)
         assert_true(s->b[k].chain);
         assert_int_equal(wf_beam_newton(&s->b[k]), WF_OK);
         assert_true(wf_beam_stable(&s->b[k]));
-        assert_false(wf_beam_apart(&s->b[k]));
+        assert_false(s->b[k].apart);
     }
     return NULL;
 }

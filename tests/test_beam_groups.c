@@ -4,7 +4,6 @@
 #include "solve/beam.h"
 #include "solve/beam_inertia.h"
 #include "solve/beam_newton.h"
-#include "solve/beam_side.h"
 #include "solve/beam_small.h"
 #include <stdlib.h>
 

@@ -147,4 +147,37 @@ WF_INLINE void real_gather(const double *const at[WF_WIDTH], size_t n, real *to)
         for (int k = 0; k < WF_WIDTH; k++) to[from + (size_t)k] = block[k];
     }
 }
+
+/* n numbers, at least WF_WIDTH, to the places of the first `some` lanes. */
+WF_INLINE void real_scatter(const real *from, size_t n, size_t some, double *const at[WF_WIDTH])
+{
+#pragma GCC unroll 8
+    for (size_t q = 0; q < n; q += WF_WIDTH) {
+        size_t to = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
+        real block[WF_WIDTH];
+        for (int k = 0; k < WF_WIDTH; k++) block[k] = from[to + (size_t)k];
+        real_transpose(block);
+        for (size_t k = 0; k < some; k++) memcpy(at[k] + to, &block[k], sizeof(real));
+    }
+}
+
+/* Add n numbers to those at the places of the first `some` lanes, one lane after another, for several may
+ * have one place. */
+WF_INLINE void real_scatter_add(const real *from, size_t n, size_t some, double *const at[WF_WIDTH])
+{
+    for (size_t q = 0; q < n; q += WF_WIDTH) {
+        size_t count = n - q < WF_WIDTH ? n - q : WF_WIDTH;
+        real block[WF_WIDTH];
+        for (size_t k = 0; k < WF_WIDTH; k++) block[k] = k < count ? from[q + k] : real_of(0);
+        real_transpose(block);
+        for (size_t k = 0; k < some && count == WF_WIDTH; k++) {
+            real sum;
+            memcpy(&sum, at[k] + q, sizeof sum);
+            sum += block[k];
+            memcpy(at[k] + q, &sum, sizeof sum);
+        }
+        for (size_t k = 0; k < some && count < WF_WIDTH; k++)
+            for (size_t c = 0; c < count; c++) at[k][q + c] += real_lane(block[k], c);
+    }
+}
 #endif

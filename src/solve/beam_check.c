@@ -52,10 +52,11 @@ bool wf_beam_unmoved(const struct wf_beam *b)
 {
     const double slight = 1e-9; /* [rad] */
     double most = 0;
-    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, wf_dot(b->tilt[i], b->tilt[i]));
+    if (!b->mesh.still) return false;
+    for (size_t i = 0; i < b->feet; i++) most = fmax(most, wf_dot(b->tilt[i], b->tilt[i]));
     for (size_t i = 0; i < b->mesh.n; i++)
         for (int j = 0; j < 2; j++) most = fmax(most, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
-    return b->mesh.still && most <= slight * slight;
+    return most <= slight * slight;
 }
 
 /* Position and rotation of the end of row i relative to its base, in the axes of the base; of a standing tree

@@ -40,34 +40,7 @@ WF_INLINE void scatter(const real *from, size_t n, size_t some, const struct pla
 {
     for (size_t q = 0; n < WF_WIDTH && q < n; q++)
         for (size_t k = 0; k < some; k++) to->at[k][q] = real_lane(from[q], k);
-#pragma GCC unroll 8
-    for (size_t q = 0; n >= WF_WIDTH && q < n; q += WF_WIDTH) {
-        size_t at = q + WF_WIDTH <= n ? q : n - WF_WIDTH;
-        real block[WF_WIDTH];
-        for (int k = 0; k < WF_WIDTH; k++) block[k] = from[at + (size_t)k];
-        real_transpose(block);
-        for (size_t k = 0; k < some; k++) memcpy(to->at[k] + at, &block[k], sizeof(real));
-    }
-}
-
-/* Add the numbers to those at the places of the first `some` lanes, one lane after another, for several may
- * stand on one element. */
-WF_INLINE void scatter_add(const real *from, size_t n, size_t some, const struct places *to)
-{
-    for (size_t q = 0; q < n; q += WF_WIDTH) {
-        size_t count = n - q < WF_WIDTH ? n - q : WF_WIDTH;
-        real block[WF_WIDTH];
-        for (size_t k = 0; k < WF_WIDTH; k++) block[k] = k < count ? from[q + k] : real_of(0);
-        real_transpose(block);
-        for (size_t k = 0; k < some && count == WF_WIDTH; k++) {
-            real sum;
-            memcpy(&sum, to->at[k] + q, sizeof sum);
-            sum += block[k];
-            memcpy(to->at[k] + q, &sum, sizeof sum);
-        }
-        for (size_t k = 0; k < some && count < WF_WIDTH; k++)
-            for (size_t c = 0; c < count; c++) to->at[k][q + c] += real_lane(block[k], c);
-    }
+    if (n >= WF_WIDTH) real_scatter(from, n, some, to->at);
 }
 
 /* Up to WF_WIDTH elements of a group, or of several trees. Lanes to spare repeat the first element, and
@@ -268,7 +241,7 @@ WF_INLINE void add_misfit(struct work *w, const struct some *s, const struct tak
 WF_INLINE void pass_down(const struct some *s, const struct taken *t)
 {
     struct places to = places_below(s, ARRAY(wrench), WRENCH);
-    scatter_add((const real *)&t->down, WRENCH, s->n, &to);
+    real_scatter_add((const real *)&t->down, WRENCH, s->n, to.at);
 }
 
 static __attribute__((noinline)) void forces_of_some(struct work *w, const struct some *s, size_t part)
@@ -377,7 +350,7 @@ WF_INLINE void pass_reaction(const struct some *s, struct columns b, by_base B, 
         for (int r = 0; r < 6; r++)
             for (int c = b.from; c < b.to; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
     take_rows(B, b, 0, row);
-    scatter_add(row, REACTION, s->n, &to);
+    real_scatter_add(row, REACTION, s->n, to.at);
 }
 
 WF_INLINE void keep_strain(const struct some *s, const struct taken *t)

@@ -51,21 +51,16 @@ WF_INLINE void gather(const double *array, const int32_t *id, size_t stride, siz
     real_gather(at, n, to);
 }
 
-/* n numbers, a multiple of ROW, to the places of the first `some` lanes; `add`: added to those there, one
- * lane after another, for several may stand on one element. */
+/* n numbers to the places of the first `some` lanes; `add`: added to those there. */
 WF_INLINE void scatter(const real *from, size_t n, bool add, double *array, const int32_t *id, size_t stride,
                        size_t some)
 {
-    for (size_t q = 0; q < n; q += WF_WIDTH) {
-        real block[WF_WIDTH];
-        for (size_t k = 0; k < WF_WIDTH; k++) block[k] = from[q + k];
-        real_transpose(block);
-        for (size_t k = 0; k < some; k++) {
-            double *at = array + (size_t)id[k] * stride + q;
-            if (add) block[k] += load(at);
-            memcpy(at, &block[k], sizeof(real));
-        }
-    }
+    double *at[WF_WIDTH];
+    for (size_t k = 0; k < WF_WIDTH; k++) at[k] = array + (size_t)id[k] * stride;
+    if (add)
+        real_scatter_add(from, n, some, at);
+    else
+        real_scatter(from, n, some, at);
 }
 
 #define NUMBER(q) load(f + (size_t)(q)*lanes)
@@ -179,48 +174,35 @@ WF_INLINE void some_up(const struct wf_beam_inertia *x, const struct some *s, si
     if (out) scatter(all, ROW * many, false, out, s->id, ROW * many, s->n);
 }
 
-WF_INLINE void all_down(const struct wf_beam_inertia *x, size_t lanes, int held, const double *in)
+/* All groups from the tips down, or up from the base. */
+WF_INLINE void all_groups(const struct wf_beam_inertia *x, size_t lanes, int held, bool downwards,
+                          const double *in, double *out)
 {
-    for (size_t g = 0; g < x->groups; g++)
+    for (size_t k = 0; k < x->groups; k++)
         for (size_t from = 0; from < lanes; from += WF_WIDTH) {
-            struct some s = some_of(x, g, lanes, from);
-            if (s.n) some_down(x, &s, lanes, held, in);
-        }
-}
-
-WF_INLINE void all_up(const struct wf_beam_inertia *x, size_t lanes, int held, double *out)
-{
-    for (size_t g = x->groups; g-- > 0;)
-        for (size_t from = 0; from < lanes; from += WF_WIDTH) {
-            struct some s = some_of(x, g, lanes, from);
-            if (s.n) some_up(x, &s, lanes, held, out);
+            struct some s = some_of(x, downwards ? k : x->groups - 1 - k, lanes, from);
+            if (s.n && downwards) some_down(x, &s, lanes, held, in);
+            if (s.n && !downwards) some_up(x, &s, lanes, held, out);
         }
 }
 
 enum { FREE = 3, TIED = 6 };
 
-static void down(const struct wf_beam_inertia *x, const double *in)
+/* A variant of its own for each number of lanes and rows. */
+WF_INLINE void sweep(const struct wf_beam_inertia *x, bool downwards, const double *in, double *out)
 {
     if (WF_WIDTH == 1 && x->lanes == 1 && x->tied)
-        all_down(x, 1, TIED, in);
+        all_groups(x, 1, TIED, downwards, in, out);
     else if (WF_WIDTH == 1 && x->lanes == 1)
-        all_down(x, 1, FREE, in);
+        all_groups(x, 1, FREE, downwards, in, out);
     else if (x->tied)
-        all_down(x, WF_GROUP, TIED, in);
+        all_groups(x, WF_GROUP, TIED, downwards, in, out);
     else
-        all_down(x, WF_GROUP, FREE, in);
+        all_groups(x, WF_GROUP, FREE, downwards, in, out);
 }
-static void up(const struct wf_beam_inertia *x, double *out)
-{
-    if (WF_WIDTH == 1 && x->lanes == 1 && x->tied)
-        all_up(x, 1, TIED, out);
-    else if (WF_WIDTH == 1 && x->lanes == 1)
-        all_up(x, 1, FREE, out);
-    else if (x->tied)
-        all_up(x, WF_GROUP, TIED, out);
-    else
-        all_up(x, WF_GROUP, FREE, out);
-}
+
+static void down(const struct wf_beam_inertia *x, const double *in) { sweep(x, true, in, NULL); }
+static void up(const struct wf_beam_inertia *x, double *out) { sweep(x, false, NULL, out); }
 
 const struct wf_inertia_kernel NAMED(WF_WIDTH) = { .width = WF_WIDTH, .down = down, .up = up };
 

@@ -29,7 +29,7 @@ struct wf_beam_inertia {
     double *factor;            /* per group, number and lane */
     double *inner; /* per group, vector, number and lane: kept between the way down and the way up */
     double *ends;  /* per element, then per root, and vector: force and moment on the end, then its
-                      displacement  and spin; eight numbers, of which the last two are spare */
+                      displacement and spin; eight numbers, of which the last two are spare */
 };
 
 /* Given: a linearised beam and the square roots of its masses, both of which outlive *x; how many vectors are

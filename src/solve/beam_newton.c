@@ -308,6 +308,7 @@ static bool sweep_down(struct wf_beam *b, bool tangent, bool guard, struct wf_be
     bool finite = isfinite(b->misfit.bending);
     b->counted = count && finite && !also.apart;
     if (grows) b->sided = finite && !also.apart;
+    if (tangent) b->apart = also.apart;
     return finite;
 }
 
@@ -684,15 +685,4 @@ bool wf_beam_step(struct wf_beam *b, bool *stable)
     bool swept = wf_beam_sweep_down(b, true, stable ? &count : NULL);
     if (stable) *stable = swept && wf_beam_stable(b);
     return swept && wf_beam_finish(b);
-}
-
-bool wf_beam_apart(const struct wf_beam *b)
-{
-    for (size_t i = 0; i < b->mesh.n; i++) {
-        bool follows = false;
-        for (int r = 0; r < 6 && !follows; r++)
-            for (int c = 0; c < 6; c++) follows = follows || b->answer[i].X[r][c] != 0;
-        if (!follows) return true;
-    }
-    return false;
 }

@@ -18,7 +18,7 @@ bool wf_beam_take_newton(struct wf_beam *b, struct wf_arena *newton);
 
 /* Base to tips: position and rotation of every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);
-/* Can the change to the other loads come with the tangent (solve/beam_side.h)? */
+/* Can the change to the other loads come with the tangent (solve/beam_small.h)? */
 bool wf_beam_has_side(const struct wf_beam *b);
 /* Tips to base: internal forces and residual; with `tangent` also the tangent, eliminated; with count (may
  * be NULL) also the number of unstable directions. false when the tangent is singular. */
@@ -47,10 +47,6 @@ bool wf_beam_rests(struct wf_beam *b);
  * tangent is singular. */
 bool wf_beam_step(struct wf_beam *b, bool *stable);
 bool wf_beam_finish(struct wf_beam *b);
-
-/* Did the last sweep take an element by itself (guard of wf_beam_eliminate), so that its tangent is not
- * exact? May also be said of an element on which nothing acts. */
-bool wf_beam_apart(const struct wf_beam *b);
 
 /* Pose of the base of element i: the end of the element below, or the root plate (written to *ground).
  * Returned: a pointer to one of the two. */

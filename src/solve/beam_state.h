@@ -44,12 +44,14 @@ struct wf_beam {
     wf_four (*root_moved)[6];     /* as `small`, per row, for roots: change of the base pose by small loads */
     struct wf_beam_links *links;  /* NULL: there are none (solve/beam_ends.h) */
     const struct wf_loads *other; /* loads to which the change is wanted with the last tangent of Newton's
-                                     method (solve/beam_side.h); NULL: not wanted */
-    bool sided;                   /* the last tangent came with it: */
-    struct wf_beam_shape *side;   /* of the unknowns */
-    bool close;                   /* the start of Newton's method is likely to be within the tolerance */
-    double (*root_side)[6];       /* per row, for roots: of the wrench on the ground, at a root that keeps its
-                                     place;       then of tilt and spin of the plate */
+                                     method (solve/beam_small.h); NULL: not wanted */
+    bool apart;                 /* the last tangent took an element by itself (guard of wf_beam_eliminate): it
+                                   is not exact */
+    bool sided;                 /* it came with the change: */
+    struct wf_beam_shape *side; /* of the unknowns */
+    bool close;                 /* the start of Newton's method is likely to be within the tolerance */
+    double (*root_side)[6];     /* per row, for roots: of the wrench on the ground, at a root that keeps its
+                                   place; then of tilt and spin of the plate */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */

@@ -2,7 +2,7 @@
 #include "solve/track.h"
 #include "base/vec3.h"
 #include "solve/beam.h"
-#include "solve/beam_side.h"
+#include "solve/beam_small.h"
 #include "solve/modes.h"
 #include <math.h>
 #include <stdlib.h>
@@ -616,7 +616,7 @@ static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, c
     b->iterations = b->steps = 0;
     b->loads = *l;
     b->options = &k->follow;
-    if (wf_beam_newton(b) || wf_beam_apart(b)) return WF_OK;
+    if (wf_beam_newton(b) || b->apart) return WF_OK;
     keep(k, k->last);
     enum wf_status s = read_both(k, side, false, &stable, a, out, e);
     *done = !s && stable && out->sided;

@@ -44,8 +44,8 @@ struct wf_track_start {
  * as the solver 'beam'. Method: Newton's method on the mesh of the last solution, from a shape between those
  * of the solutions beside this one, by their values and derivatives, or from the nearest moved along its
  * derivative where it is near; and what the beam solver does where that fails. The mesh is compared with one
- * twice as fine at the first and every fourth solution, unless it was found good near its wind speed or on
- * both sides of it, and refined where it does not meet the tolerance. */
+ * twice as fine at the first and every fourth solution, unless it was found good by far, near its wind speed
+ * or on both sides of it, and refined where it does not meet the tolerance. */
 enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
                               const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
                               struct wf_err *e);
