@@ -126,16 +126,18 @@ static double step_to_crossing(const struct search *q, const struct wf_node *nod
     return power_step(node->at.speed, value, *slope);
 }
 
+/* Share of the speed over which a crossing is taken from a node by a power law. */
+static const double short_step = 3e-4;
+
 /* The node of this mesh from which the crossing is taken: a very near one that is known, for another
  * criterion, or that at the speed. */
 static enum wf_status node_near(const struct search *q, double speed, const struct wf_node **out,
                                 struct wf_err *e)
 {
-    const double near = 3e-4;
     for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
         const struct wf_node *node = wf_nodes_at(q->nodes, i);
         if (node->tolerance != q->o->mesh_tolerance || !node->state[part_of(q)].sloped) continue;
-        if (fabs(node->at.speed - speed) > near * speed) continue;
+        if (fabs(node->at.speed - speed) > short_step * speed) continue;
         *out = node;
         return WF_OK;
     }
@@ -160,7 +162,7 @@ static enum wf_status polish_sloped(const struct search *q, struct wf_critical *
         if (!(fabs(next) < 0.02 * c->speed)) return WF_OK;
         c->speed = (*node)->at.speed + next;
         c->speed_low = c->speed - fabs(next), c->speed_high = c->speed + fabs(next);
-        if (fabs(next * slope) <= near) {
+        if (fabs(next * slope) <= near || fabs(next) <= short_step * c->speed) {
             *step = next;
             return WF_OK;
         }
