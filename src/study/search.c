@@ -596,12 +596,15 @@ static enum wf_status search_scope(const struct wf_analysis *an, const struct wf
  * many. */
 static size_t by_nearness(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA])
 {
+    const double same = 1e-6; /* of alike ones the earlier row of wf_criteria */
     const struct wf_at_speed *at = an->at && an->n ? &an->at[an->n - 1] : NULL;
     size_t n = 0;
     for (int c = 0; c < WF_CRITERIA; c++) {
         if (!wf_criteria[c].loses_tree) continue;
         size_t k = n++;
-        for (; k && at && at->worst[c][WF_SCOPE_STEM].safety < at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
+        for (;
+             k && at &&
+             at->worst[c][WF_SCOPE_STEM].safety < (1 - same) * at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
              k--)
             order[k] = order[k - 1];
         order[k] = (enum wf_criterion_id)c;

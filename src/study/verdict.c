@@ -27,13 +27,19 @@ double wf_verdict_bound(const struct wf_critical *c)
  */
 static const double same = 1e-6;
 
-/* Does a result govern in place of one found before? A speed that was found goes before the end of another's
- * search, which may be that very speed: no criterion is searched above one that was found. */
+/* Is it known where the tree is lost? */
+static bool known(const struct wf_critical *c)
+{
+    return c->outcome == WF_CRITICAL_FOUND || c->outcome == WF_CRITICAL_SELF_WEIGHT;
+}
+
+/* Does a result govern in place of one found before? A speed that was found, or none because the tree fails
+ * at rest, goes before the end of another's search, which may be that very speed: no criterion is searched
+ * above one that was found. */
 static bool governs(const struct wf_critical *c, const struct wf_critical *before)
 {
     double bound = wf_verdict_bound(c), lowest = wf_verdict_bound(before);
-    bool found = c->outcome == WF_CRITICAL_FOUND && before->outcome != WF_CRITICAL_FOUND;
-    return found ? bound <= lowest * (1 + same) : bound < lowest * (1 - same);
+    return known(c) && !known(before) ? bound <= lowest * (1 + same) : bound < lowest * (1 - same);
 }
 
 struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
@@ -70,9 +76,8 @@ const struct wf_at_speed *wf_verdict_wind(const struct wf_analysis *an)
 
 bool wf_verdict_lost(const struct wf_verdict *v, const struct wf_at_speed *at)
 {
-    enum wf_critical_outcome how = v->loss ? v->loss->critical.outcome : WF_CRITICAL_NO_STRENGTH;
-    bool known = how == WF_CRITICAL_FOUND || how == WF_CRITICAL_SELF_WEIGHT;
-    return (known && at->speed > wf_verdict_bound(&v->loss->critical)) || wf_verdict_safety(at, NULL) <= 1;
+    const bool is_known = v->loss && known(&v->loss->critical);
+    return (is_known && at->speed > wf_verdict_bound(&v->loss->critical)) || wf_verdict_safety(at, NULL) <= 1;
 }
 
 const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_verdict *v,
