@@ -19,7 +19,7 @@ skip() { printf '%-58s skipped: %s\n' "$1" "$2"; }
 
 # Files of the program and the library.
 find src -type f \( -name '*.[ch]' -o -name '*.cpp' \) | sort >"$scratch/files"
-limit 'files in src' "$(wc -l <"$scratch/files")" 497
+limit 'files in src' "$(wc -l <"$scratch/files")" 499
 xargs wc -l <"$scratch/files" | awk '$2 != "total" && $1 > 700' >"$scratch/long"
 limit 'files over 700 lines' "$(wc -l <"$scratch/long")" 0 "$scratch/long"
 

@@ -5,6 +5,7 @@
 #include "solve/beam_lanes.h"
 #include "solve/beam_mesh.h"
 #include "solve/beam_newton.h"
+#include <string.h>
 
 /* Reading a solved beam: the columns of a response. */
 
@@ -151,6 +152,32 @@ static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near,
     return rests ? WF_OK : wf_beam_step_to_rest(b, newton, out, e);
 }
 
+/* Newton's method from the shape of another solution, whatever its mesh, if it converges soon. */
+static bool rests_beside(struct wf_beam *b, const struct wf_beam *from)
+{
+    enum { SOON = 12 };
+    const struct wf_solve_options *own = b->options;
+    struct wf_solve_options soon = *own;
+    soon.iterations_max = SOON;
+    wf_beam_carry(from, b);
+    b->options = &soon;
+    bool rests = wf_beam_rests_soon(b, NULL);
+    b->options = own;
+    return rests;
+}
+
+/* Pieces of the mesh that is begun with: half as many as that of `from`, or as many; at least those of the
+ * first mesh. */
+static void begin_pieces(const struct wf_tree *t, const struct wf_solve_options *o,
+                         const struct wf_beam *from, bool half, int32_t *pieces)
+{
+    wf_beam_first_pieces(t, o, pieces);
+    for (size_t i = 0; i < t->n && from; i++) {
+        int32_t now = wf_beam_pieces(&from->mesh, i), some = half ? (now + 1) / 2 : now;
+        if (some > pieces[i]) pieces[i] = some;
+    }
+}
+
 /* The first of the meshes, and its solution: half as fine as that of `from`, from whose shape Newton's method
  * converges there soon or not at all, else the same; without it the first mesh. */
 static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads *l,
@@ -158,25 +185,14 @@ static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads
                                   struct two_meshes *m, int32_t *pieces, struct wf_beam *b,
                                   struct wf_beam_outcome *out, struct wf_err *e)
 {
-    enum { SOON = 12 };
     const struct wf_beam *const from = known->from, *const near = known->near;
-    const int32_t first = wf_beam_first_pieces(t, o);
-    struct wf_solve_options soon = *o;
-    soon.iterations_max = SOON;
-    for (size_t i = 0; i < t->n; i++) {
-        int32_t half = from ? (wf_beam_pieces(&from->mesh, i) + 1) / 2 : first;
-        pieces[i] = half > first ? half : first;
-    }
+    begin_pieces(t, o, from, true, pieces);
     enum wf_status s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
     if (s || !from) return s ? s : settle_near(b, near, &m->newton, out, e);
-    wf_beam_carry(from, b);
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    b->options = &soon;
-    bool rests = wf_beam_rests_soon(b, NULL);
-    b->options = o;
-    if (rests) return WF_OK;
+    if (rests_beside(b, from)) return WF_OK;
     wf_arena_free(&m->shape), wf_arena_free(&m->newton);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = wf_beam_pieces(&from->mesh, i);
+    begin_pieces(t, o, from, false, pieces);
     s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
     if (s) return s;
     wf_beam_carry(from, b);
@@ -184,14 +200,72 @@ static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads
 }
 
 /* At least as many pieces a row as a mesh has, unless that takes more than `most` times the elements: from a
- * mesh much coarser Newton's method starts too far away. */
-static void join_pieces(const struct wf_beam_mesh *good, double most, int32_t *pieces)
+ * mesh much coarser Newton's method starts too far away. Returned: did a row get more? */
+static bool join_pieces(const struct wf_beam_mesh *good, double most, int32_t *pieces)
 {
     double now = 0, joined = 0;
     for (size_t i = 0; i < good->tree->n; i++)
         now += pieces[i], joined += fmax(pieces[i], wf_beam_pieces(good, i));
     for (size_t i = 0; i < good->tree->n && joined <= most * now; i++)
         pieces[i] = (int32_t)fmax(pieces[i], wf_beam_pieces(good, i));
+    return joined > now && joined <= most * now;
+}
+
+/* A solution on a finer mesh, from that of b on the coarser one. Returned: also the loads of the check on it.
+ */
+static enum wf_status solve_finer(const struct wf_beam *b, const int32_t *pieces,
+                                  const struct wf_solve_options *o, const struct wf_beam_known *known,
+                                  struct two_meshes *m, struct wf_beam_check *check, struct wf_beam *fine,
+                                  struct wf_beam_outcome *out, struct wf_err *e)
+{
+    struct wf_arena begun = { 0 };
+    wf_arena_free(&m->newton);
+    wf_arena_free(&m->before);
+    m->before = m->shape;
+    m->shape = (struct wf_arena){ 0 };
+    enum wf_status s = wf_beam_init(fine, b->mesh.tree, &b->loads, o, pieces, &m->shape, &m->newton, e);
+    if (s) return s;
+    wf_beam_carry(b, fine);
+    double(*at)[2][3] = wf_arena_take_unset(&begun, fine->mesh.n, sizeof *at);
+    fine->begun = at;
+    s = at ? settle_near(fine, known->near, &m->newton, out, e)
+           : wf_fail(e, WF_ENOMEM, "not enough memory for the loads of %zu beam elements", fine->mesh.n);
+    if (!s) wf_beam_row_loads(&fine->mesh, (const double(*)[2][3])at, check->begun);
+    if (!s) wf_beam_row_loads(&fine->mesh, (const double(*)[2][3])fine->load, check->load);
+    fine->iterations += b->iterations, fine->steps += b->steps;
+    wf_arena_free(&begun);
+    return s;
+}
+
+/* Note the mesh of few more elements than the coarse one that is expected to be good. */
+static enum wf_status keep_few(const struct wf_beam *coarse, const struct wf_beam *fine,
+                               struct wf_beam_check *check, struct wf_beam_few *few, struct wf_err *e)
+{
+    const size_t n = coarse->mesh.tree->n;
+    struct wf_beam_good expected;
+    int32_t *pieces = few->pieces ? few->pieces : WF_TAKE(&few->memory, n, int32_t);
+    if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", n);
+    const struct wf_beam_good first = wf_beam_check_first(coarse, fine, check, pieces);
+    wf_beam_note_good(&few->first, &first);
+    few->pieces = wf_beam_check_few(coarse, fine, check, pieces, &expected) ? pieces : NULL;
+    few->goods = (struct wf_beam_goods){ 0 };
+    wf_beam_note_good(&few->goods, &expected);
+    return WF_OK;
+}
+
+/* The solution on a mesh of few more elements than the first, which is good. */
+static enum wf_status solve_on_few(const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_solve_options *o, const struct wf_beam_known *known,
+                                   struct two_meshes *m, struct wf_beam *b, struct wf_beam_outcome *out,
+                                   struct wf_err *e)
+{
+    *out = (struct wf_beam_outcome){ .load_factor = 1 };
+    enum wf_status s = wf_beam_init(b, t, l, o, known->few->pieces, &m->shape, &m->newton, e);
+    b->mesh.goods = known->few->goods;
+    if (s || (known->near && rests_beside(b, known->near))) return s;
+    memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
+    memset(b->tilt, 0, t->n * sizeof *b->tilt);
+    return settle_near(b, known->near, &m->newton, out, e);
 }
 
 static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,
@@ -204,6 +278,9 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     struct wf_beam_check check;
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    struct wf_beam_few *few = known->from ? NULL : known->few;
+    if (few && few->pieces && wf_beam_good_by_far(&few->goods, l, o->mesh_tolerance))
+        return solve_on_few(t, l, o, known, m, b, out, e);
     struct wf_solve_options compared = *o; /* this mesh's solution is not the answer */
     compared.tolerance = fmax(o->tolerance, 0.01 * o->mesh_tolerance);
     enum wf_status status = solve_first(t, l, &compared, known, m, pieces, b, out, e);
@@ -212,29 +289,24 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
 
     status = wf_beam_check_make(t, work, &check, e);
     if (status) return status;
-    wf_beam_row_loads(b, check.before);
-    for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
-    if (known->good) join_pieces(known->good, slightly, pieces);
+    wf_beam_row_loads(&b->mesh, (const double(*)[2][3])b->load, check.before);
+    wf_beam_second_pieces(t, pieces);
+    const bool joined = known->good && join_pieces(known->good, slightly, pieces);
     for (int mesh = 1; mesh < MESHES; mesh++) {
         struct wf_beam fine;
         struct wf_beam_outcome again;
-        wf_arena_free(&m->newton);
-        wf_arena_free(&m->before);
-        m->before = m->shape;
-        m->shape = (struct wf_arena){ 0 };
-        status = wf_beam_init(&fine, t, l, o, pieces, &m->shape, &m->newton, e);
-        if (status) return status;
-        wf_beam_carry(b, &fine);
-        status = settle_near(&fine, known->near, &m->newton, &again, e);
+        status = solve_finer(b, pieces, o, known, m, &check, &fine, &again, e);
         if (status || again.beyond_limit) *out = again;
         if (status) return status;
-        fine.iterations += b->iterations, fine.steps += b->steps;
-        wf_beam_row_loads(&fine, check.load);
-        bool met = wf_beam_check_meets(b, &fine, &check, pieces);
+        bool met = wf_beam_check_meets(b, &fine, &check);
+        if (mesh == 1 && few && !joined) status = keep_few(b, &fine, &check, few, e);
+        if (!met) wf_beam_check_choose(&fine, &check, pieces);
         *b = fine;
-        if (met) break;
+        if (met || status) break;
     }
-    return WF_OK;
+    const struct wf_beam_good found = wf_beam_check_fine(&check, l);
+    wf_beam_note_good(&b->mesh.goods, &found);
+    return status;
 }
 
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,

@@ -11,19 +11,29 @@
 extern const struct wf_solver wf_solver_beam;   /* large deflections, loads on the deformed shape */
 extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the undeformed shape */
 
+/* A mesh that hardly differs from the first one of a tree and what is known of both, as expected from the
+ * errors of solutions. */
+struct wf_beam_few {
+    struct wf_arena memory; /* of the caller, to be freed by it */
+    int32_t *pieces;        /* per row; NULL: there is none */
+    struct wf_beam_goods goods, first;
+};
 /* What is known of the same tree at other loads; each may be NULL. */
 struct wf_beam_known {
     const struct wf_beam *from;      /* a solution whose mesh and shape are begun with; else the first mesh,
                                         unloaded */
     const struct wf_beam *near;      /* one whose shape is tried where Newton's method stalls */
     const struct wf_beam_mesh *good; /* a mesh that met the tolerance */
+    struct wf_beam_few *few;         /* given and returned */
 };
 
 /* Equilibrium on a mesh that meets options->mesh_tolerance. Given: tree, loads, options; what is known (NULL:
  * nothing); the memory of *b is taken from `work`, that of what Newton's method works with, two thirds of it,
- * from `newton`, which may be `work`. Returned: as wf_beam_settle; *out tells how the full load was reached.
- * Method: the first meshes differ by a factor 2, the second taking the pieces of what was good at other loads
- * where these are few more; each row is then refined by its own share of the estimated error. */
+ * from `newton`, which may be `work`. Returned: as wf_beam_settle; *out tells how the full load was reached,
+ * b->mesh.goods what was found of the mesh. Method: that of few more elements than the first is the only one
+ * where it is good by far. Else the first meshes differ by a factor 2, the second taking the pieces of what
+ * was good at other loads where these are few more; each row is then refined by its own share of the
+ * estimated error. */
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, const struct wf_beam_known *known,
                              struct wf_arena *work, struct wf_arena *newton, struct wf_beam *b,

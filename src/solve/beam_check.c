@@ -154,13 +154,12 @@ static double longest_row_chain(const struct wf_tree *t, double *depth)
     return most;
 }
 
-void wf_beam_row_loads(const struct wf_beam *b, double *load)
+void wf_beam_row_loads(const struct wf_beam_mesh *m, const double (*at)[2][3], double *load)
 {
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+    for (size_t i = 0; i < m->tree->n; i++) {
         double sum[3] = { 0, 0, 0 };
-        for (int32_t k = b->mesh.first[i]; k <= b->mesh.last[i]; k++) {
-            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, b->load[k][j]);
-        }
+        for (int32_t k = m->first[i]; k <= m->last[i]; k++)
+            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * m->part[k].h, at[k][j]);
         memcpy(load + 3 * i, sum, sizeof sum);
     }
 }
@@ -169,16 +168,24 @@ void wf_beam_row_loads(const struct wf_beam *b, double *load)
  * grows with a low power of height, and a load with a kink inside a row converges no faster. */
 static const double load_order = 1.3;
 
-/* Estimated error of each row's load relative to the base reaction. */
-static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
-                         const double *now, double *share)
+static double distance(const double a[3], const double b[3])
+{
+    double d[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+    return sqrt(wf_dot(d, d));
+}
+
+/* Estimated error of each row's load relative to the base reaction, and their sum. The load on the fine mesh
+ * differs from that on the coarse one also by the change of the shape, and in the shape carried to the fine
+ * mesh also by the error within the elements: the smaller of the differences counts. */
+static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c)
 {
     double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
     for (size_t i = 0; i < fine->mesh.tree->n; i++) {
-        double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i), d[3];
-        for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
-        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, load_order) - 1) : 0;
-        sum += share[i];
+        const double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i),
+                     *before = c->before + 3 * i,
+                     off = fmin(distance(c->load + 3 * i, before), distance(c->begun + 3 * i, before));
+        c->bear[i] = kf > kc && force > 0 ? off / force / (pow(kf / kc, load_order) - 1) : 0;
+        sum += c->bear[i];
     }
     return sum;
 }
@@ -186,22 +193,73 @@ static double load_error(const struct wf_beam *coarse, const struct wf_beam *fin
 /* By how much shorter pieces have to be for loads whose error is `off` times what is allowed. */
 static double shorter(double off) { return pow(1.5 * off, 0.77); }
 
-/* New number of pieces per row of the mesh `from`, of which none is coarsened, so that the carried-over shape
- * is a valid Newton start. Rows above their share of the error target are refined (share: on the mesh of
- * `solved`), and those that cause most of the error of the loads (`bear`) by `more`. Returned: their sum. */
-static double choose_pieces(const struct wf_beam *from, const struct wf_beam *solved, const double *share,
-                            double target, const double *bear, double more, int32_t *pieces)
+/* Pieces of a row, of which `now` is the least and `times` as many the most. */
+static int32_t pieces_within(double want, int32_t now, double times)
 {
-    const size_t n = from->mesh.tree->n;
-    double most = 0, elements = 0;
-    for (size_t i = 0; i < n; i++) most = fmax(most, bear[i]);
-    for (size_t i = 0; i < n; i++) {
-        int32_t now = wf_beam_pieces(&from->mesh, i);
-        double want = wf_beam_pieces(&solved->mesh, i) * pow(share[i] / target, 0.25);
-        if (bear[i] > 0.1 * most) want = fmax(want, now * more);
-        pieces[i] = (int32_t)fmin(fmax(ceil(want), now), 64.0 * now);
-        elements += pieces[i];
+    return (int32_t)fmin(fmax(ceil(want), now), times * now);
+}
+
+/* Pieces of the rows of `from` whose own errors are above `each`, no row coarser. Returned: the error at the
+ * worst node that is then expected [m]. c: errors on the mesh of `solved`. */
+static double choose_by_shape(const struct wf_beam *from, const struct wf_beam *solved,
+                              struct wf_beam_check *c, double each, int32_t *pieces)
+{
+    const struct wf_tree *t = from->mesh.tree;
+    const double shorter_by = pow(each, -0.25), most = 64;
+    double worst = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        const double had = wf_beam_pieces(&solved->mesh, i), want = had * c->root[i] * shorter_by;
+        pieces[i] = pieces_within(want, wf_beam_pieces(&from->mesh, i), most);
+        const double ratio = had / pieces[i], square = ratio * ratio;
+        c->rest[i] = c->share[i] * square * square + (t->parent[i] >= 0 ? c->rest[t->parent[i]] : 0);
+        worst = fmax(worst, c->rest[i]);
     }
+    return worst;
+}
+
+/* Cut the rows that cause most of the error of the loads until no more is left than allowed. Given: in
+ * c->rest the rows' errors. Returned: in c->left what is left. */
+static void choose_by_loads(const struct wf_beam *from, struct wf_beam_check *c, double allowed,
+                            int32_t *pieces)
+{
+    enum { PASSES = 32 };
+    const double longer = 1.5, many = 0.2, times = 256;
+    const size_t n = from->mesh.tree->n;
+    for (int k = 0;; k++) {
+        double most = 0;
+        c->left = 0;
+        for (size_t i = 0; i < n; i++) most = fmax(most, c->rest[i]), c->left += c->rest[i];
+        if (!(c->left > allowed) || k == PASSES) return;
+        for (size_t i = 0; i < n; i++) {
+            if (!(c->rest[i] > many * most)) continue;
+            const int32_t had = pieces[i];
+            pieces[i] = pieces_within(longer * had, wf_beam_pieces(&from->mesh, i), times);
+            c->rest[i] *= pow((double)had / pieces[i], load_order);
+        }
+    }
+}
+
+/* New number of pieces per row of the mesh `from`, of which none is coarsened, so that the carried-over shape
+ * is a valid Newton start. Rows with the largest errors of their own are refined until positions meet their
+ * target [m] (least: as few as meet it, else all above an equal share), then those that cause most of what is
+ * left of the error of the loads, if that is more than is allowed: a row's loads improve as its shape where
+ * it is refined for that. c: errors on the mesh of `solved`. Returned: their sum. */
+static double choose_pieces(const struct wf_beam *from, const struct wf_beam *solved, struct wf_beam_check *c,
+                            double target, double allowed, bool least, int32_t *pieces)
+{
+    const double wider = 1.25;
+    const size_t n = from->mesh.tree->n;
+    double elements = 0, each = target / c->depth;
+    for (size_t i = 0; i < n; i++) c->root[i] = sqrt(sqrt(c->share[i]));
+    while (least && each < target && choose_by_shape(from, solved, c, wider * each, pieces) <= target)
+        each *= wider;
+    c->worst = choose_by_shape(from, solved, c, each, pieces);
+    for (size_t i = 0; i < n; i++) {
+        const double had = wf_beam_pieces(&solved->mesh, i);
+        c->rest[i] = c->bear[i] * pow(had / pieces[i], pieces[i] > had ? 4 : load_order);
+    }
+    choose_by_loads(from, c, allowed, pieces);
+    for (size_t i = 0; i < n; i++) elements += pieces[i];
     return elements;
 }
 
@@ -211,9 +269,12 @@ enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, s
     *c = (struct wf_beam_check){ .reach = WF_TAKE(a, t->n, double),
                                  .share = WF_TAKE(a, t->n, double),
                                  .bear = WF_TAKE(a, t->n, double),
+                                 .rest = WF_TAKE(a, t->n, double),
+                                 .root = WF_TAKE(a, t->n, double),
                                  .before = WF_TAKE(a, 3 * t->n, double),
-                                 .load = WF_TAKE(a, 3 * t->n, double) };
-    if (!c->reach || !c->share || !c->bear || !c->before || !c->load)
+                                 .load = WF_TAKE(a, 3 * t->n, double),
+                                 .begun = WF_TAKE(a, 3 * t->n, double) };
+    if (!c->reach || !c->share || !c->bear || !c->rest || !c->root || !c->before || !c->load || !c->begun)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     c->depth = longest_row_chain(t, c->share);
     tree_reach(t, c->reach);
@@ -239,78 +300,141 @@ static double allowed_error(const struct wf_beam *b, double tolerance)
     return fmax(tolerance * largest_displacement(b), rounding * tree_size(b->mesh.tree));
 }
 
-bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
-                         int32_t *pieces)
+/* What is known of a mesh from the parts of its error. */
+static struct wf_beam_good good_of(const struct wf_loads *l, double place, double loads, double turn)
 {
-    /* a mesh is chosen for a quarter of the tolerance, so that one more is seldom solved, and taken with half
-     * of it: the rest is the estimate's own error; loads with all of it, whose rows' errors are summed
+    const double error = isnan(place + loads + turn) ? (double)INFINITY : fmax(place, loads);
+    struct wf_beam_good g = { .pace = wf_beam_pace(l), .error = error, .turn = turn };
+    if (l->wind) memcpy(g.along, l->wind->direction, sizeof g.along);
+    return g;
+}
+
+/* A mesh is chosen for a share of the tolerance, so that one more is seldom solved. */
+static const double aim = 0.15, aim_loads = 0.1, aim_few = 0.25;
+
+bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c)
+{
+    /* half of the tolerance: the rest is the estimate's own error; loads more, whose rows' errors are summed
      * without their signs */
-    const double aim = 0.25, enough = 2, enough_loads = 4;
-    const struct wf_tree *t = fine->mesh.tree;
-    double allowed = fine->options->mesh_tolerance * aim;
-    double target = allowed_error(fine, allowed);
-    double error = beam_mesh_error(coarse, fine, c->reach, c->share);
-    double reactions = load_error(coarse, fine, c->before, c->load, c->bear);
-    memcpy(c->before, c->load, 3 * t->n * sizeof *c->load);
-    const size_t tip = wf_tip_row(t);
-    bool turns = tip_lack(coarse, fine, tip) <= 1;
-    if (error <= enough * target && reactions <= enough_loads * allowed && turns) return true;
-    double off = reactions / allowed, more = off > 1 ? fmax(shorter(off), 2) : 1;
-    (void)choose_pieces(fine, fine, c->share, target / c->depth, c->bear, more, pieces);
-    if (!turns) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
-    return false;
+    const double enough = 0.5, enough_loads = 0.8, tolerance = fine->options->mesh_tolerance;
+    c->scale = allowed_error(fine, tolerance) / tolerance;
+    c->place = beam_mesh_error(coarse, fine, c->reach, c->share) / c->scale;
+    c->loads = load_error(coarse, fine, c);
+    c->turn = tip_lack(coarse, fine, wf_tip_row(fine->mesh.tree));
+    memcpy(c->before, c->load, 3 * fine->mesh.tree->n * sizeof *c->load);
+    return c->place <= enough * tolerance && c->loads <= enough_loads * tolerance && c->turn <= 1;
+}
+
+void wf_beam_check_choose(const struct wf_beam *fine, struct wf_beam_check *c, int32_t *pieces)
+{
+    const double tolerance = fine->options->mesh_tolerance;
+    const size_t tip = wf_tip_row(fine->mesh.tree);
+    (void)choose_pieces(fine, fine, c, aim * tolerance * c->scale, aim_loads * tolerance, true, pieces);
+    if (!(c->turn <= 1)) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
+}
+
+bool wf_beam_check_few(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
+                       int32_t *pieces, struct wf_beam_good *expected)
+{
+    const double few = 1.6, allowed = aim_few * fine->options->mesh_tolerance;
+    double elements = choose_pieces(coarse, fine, c, allowed * c->scale, allowed, true, pieces);
+    *expected = good_of(&fine->loads, c->worst / c->scale, c->left, c->turn);
+    return elements <= few * (double)coarse->mesh.n;
+}
+
+struct wf_beam_good wf_beam_check_first(const struct wf_beam *coarse, const struct wf_beam *fine,
+                                        struct wf_beam_check *c, int32_t *pieces)
+{
+    (void)choose_pieces(coarse, fine, c, INFINITY, INFINITY, false, pieces);
+    return good_of(&fine->loads, c->worst / c->scale, c->left, c->turn);
 }
 
 /* Pieces of a mesh that meets a tolerance, from the errors of a solution on one twice as fine as that of b:
- * rows by their own errors or, where that takes fewer elements, all alike. error, reactions: of positions and
- * loads on the mesh of b, of what is allowed. */
-static void choose_again(const struct wf_beam *b, const struct wf_beam *fine, const struct wf_beam_check *c,
-                         double target, double error, double reactions, int32_t *pieces)
+ * rows by their own errors or, where that takes fewer elements, all alike. */
+static void choose_again(const struct wf_beam *b, const struct wf_beam *fine, struct wf_beam_check *c,
+                         double target, double tolerance, int32_t *pieces)
 {
-    double more = shorter(fmax(reactions, 1)), alike = ceil(fmax(pow(error, 0.25), more));
-    double elements = choose_pieces(b, fine, c->share, target / c->depth, c->bear, more, pieces);
+    const double loads = pow(2, load_order) * c->loads / tolerance; /* on the mesh of b */
+    double alike = ceil(fmax(2 * pow(c->place / tolerance, 0.25), shorter(fmax(loads, 1))));
+    double elements = choose_pieces(b, fine, c, target, tolerance, false, pieces);
     if (elements <= alike * (double)b->mesh.n) return;
     for (size_t i = 0; i < b->mesh.tree->n; i++) pieces[i] = (int32_t)alike * wf_beam_pieces(&b->mesh, i);
 }
 
-/* The error of the mesh of b, of what is allowed, and a mesh that meets the tolerance. fine: a solution on
- * one twice as fine. */
-static double off_beside(const struct wf_beam *b, const struct wf_beam *fine, struct wf_beam_check *c,
-                         double tolerance, int32_t *pieces)
+struct wf_beam_good wf_beam_check_fine(const struct wf_beam_check *c, const struct wf_loads *l)
 {
-    wf_beam_row_loads(b, c->before);
-    wf_beam_row_loads(fine, c->load);
-    /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
-    double allowed = allowed_error(fine, tolerance);
-    double error = 16 * beam_mesh_error(b, fine, c->reach, c->share) / allowed;
-    double reactions = pow(2, load_order) * load_error(b, fine, c->before, c->load, c->bear) / tolerance;
-    const size_t tip = wf_tip_row(b->mesh.tree);
-    double turns = tip_lack(b, fine, tip);
-    choose_again(b, fine, c, allowed, error, reactions, pieces);
-    const int32_t now = wf_beam_pieces(&b->mesh, tip), most = now > 64 ? now : 64;
-    if (turns >
-        1) /* to the first order of the piece length at least; of a tip that hangs free any mesh is off */
-        pieces[tip] = (int32_t)fmax(pieces[tip], fmin(ceil(2 * turns) * now, most));
-    return isnan(error + reactions + turns) ? INFINITY : fmax(fmax(error, reactions), turns);
+    return good_of(l, c->place, c->loads, c->turn);
 }
 
-enum wf_status wf_beam_mesh_off(const struct wf_beam *b, double tolerance, double *error, int32_t *pieces,
-                                struct wf_err *e)
+/* The error of the mesh of b, and a mesh that meets the tolerance. fine: a solution on one twice as fine. */
+static struct wf_beam_good off_beside(const struct wf_beam *b, const struct wf_beam *fine,
+                                      struct wf_beam_check *c, double tolerance, int32_t *pieces)
+{
+    double allowed = allowed_error(fine, tolerance);
+    const size_t tip = wf_tip_row(b->mesh.tree);
+    c->place = beam_mesh_error(b, fine, c->reach, c->share) / allowed * tolerance;
+    c->loads = load_error(b, fine, c);
+    c->turn = tip_lack(b, fine, tip);
+    struct wf_beam_good found = /* on the mesh of b, 2^4 times that of positions on the fine one */
+        good_of(&b->loads, 16 * c->place, pow(2, load_order) * c->loads, c->turn);
+    choose_again(b, fine, c, allowed, tolerance, pieces);
+    const int32_t now = wf_beam_pieces(&b->mesh, tip), most = now > 64 ? now : 64;
+    if (c->turn >
+        1) /* to the first order of the piece length at least; of a tip that hangs free any mesh is off */
+        pieces[tip] = (int32_t)fmax(pieces[tip], fmin(ceil(2 * c->turn) * now, most));
+    return found;
+}
+
+enum wf_status wf_beam_mesh_off(const struct wf_beam *b, double tolerance, struct wf_beam_good *out,
+                                int32_t *pieces, struct wf_err *e)
 {
     const struct wf_tree *t = b->mesh.tree;
     struct wf_arena work = { 0 };
     struct wf_beam fine;
     struct wf_beam_check check;
     enum wf_status s = wf_beam_check_make(t, &work, &check, e);
-    *error = INFINITY;
+    *out = (struct wf_beam_good){ .error = INFINITY };
     for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * wf_beam_pieces(&b->mesh, i);
     if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
     if (!s) {
         wf_beam_carry(b, &fine);
         wf_beam_sweep_up(&fine);
         fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
-        if (wf_beam_step(&fine, NULL)) *error = off_beside(b, &fine, &check, tolerance, pieces);
+        bool swept = wf_beam_sweep_down(&fine, true, NULL);
+        wf_beam_row_loads(&b->mesh, (const double(*)[2][3])b->load, check.before);
+        wf_beam_row_loads(&fine.mesh, (const double(*)[2][3])fine.load, check.begun);
+        swept = swept && wf_beam_finish(&fine);
+        wf_beam_row_loads(&fine.mesh, (const double(*)[2][3])fine.load, check.load);
+        if (swept) *out = off_beside(b, &fine, &check, tolerance, pieces);
     }
     wf_arena_free(&work);
     return s;
+}
+
+/* ---- What is known of a mesh ---- */
+
+double wf_beam_pace(const struct wf_loads *l) { return l->wind ? l->wind->speed * sqrt(l->wind_scale) : 0; }
+
+void wf_beam_note_good(struct wf_beam_goods *g, const struct wf_beam_good *found)
+{
+    g->at[g->n++ % WF_BEAM_GOOD] = *found;
+}
+
+double wf_beam_expected_error(const struct wf_beam_goods *g, const struct wf_loads *l, double tolerance,
+                              double power)
+{
+    const double pace = wf_beam_pace(l);
+    double least = INFINITY;
+    for (size_t i = 0; i < g->n && i < WF_BEAM_GOOD && pace > 0; i++) {
+        if (!(g->at[i].pace > 0)) continue;
+        const double ratio = pace / g->at[i].pace, off = fmax(g->at[i].error / tolerance, g->at[i].turn);
+        least = fmin(least, off * fmax(pow(ratio, power), sqrt(1 / ratio)));
+    }
+    return least;
+}
+
+bool wf_beam_good_by_far(const struct wf_beam_goods *g, const struct wf_loads *l, double tolerance)
+{
+    const double most = 0.4;
+    return wf_beam_expected_error(g, l, tolerance, 2) <= most;
 }

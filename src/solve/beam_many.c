@@ -192,11 +192,12 @@ static enum wf_status refine(struct block *b, int32_t *pieces, bool finest, stru
         view_state(b, &b->level[0], k, pose[0], tilt, &coarse);
         view_state(b, &b->level[1], k, pose[1], tilt, &fine);
         read_loads(b, &b->level[1], k, b->check[k].load);
-        if (wf_beam_check_meets(&coarse, &fine, &b->check[k], own) || finest) {
+        if (wf_beam_check_meets(&coarse, &fine, &b->check[k]) || finest) {
             answer_state(b, &b->level[1], k);
             b->wanted[k] = false;
             continue;
         }
+        wf_beam_check_choose(&fine, &b->check[k], own);
         for (size_t i = 0; i < t->n; i++)
             if (own[i] > pieces[i]) pieces[i] = own[i];
     }
@@ -211,7 +212,7 @@ static bool any_wanted(const struct block *b)
     return false;
 }
 
-/* The next mesh, started from the shapes on the one before. */
+/* The next mesh, started from the shapes on the one before, and the loads on these for the comparison. */
 static enum wf_status next_level(struct block *b, const int32_t *pieces, struct wf_err *e)
 {
     wf_arena_free(&b->newton);
@@ -221,7 +222,12 @@ static enum wf_status next_level(struct block *b, const int32_t *pieces, struct 
         b->level[0].group[g].mesh = &b->level[0].mesh, b->level[0].group[g].joints = &b->level[0].joints;
     enum wf_status s = make_level(b, pieces, &b->level[1], e);
     for (size_t g = 0; !s && g < WF_BEAM_BLOCK; g++)
-        if (b->level[1].group[g].shape) b->kernel->carry(&b->level[0].group[g], &b->level[1].group[g]);
+        if (b->level[1].group[g].shape) {
+            b->kernel->carry(&b->level[0].group[g], &b->level[1].group[g]);
+            b->kernel->read(&b->level[1].group[g]);
+        }
+    for (size_t k = 0; k < b->n && !s; k++)
+        if (b->wanted[k]) read_loads(b, &b->level[1], k, b->check[k].begun);
     return s;
 }
 
@@ -229,9 +235,9 @@ static enum wf_status settle_block(struct block *b, struct wf_err *e)
 {
     enum { MESHES = 6 };
     const struct wf_tree *t = b->tree;
-    int32_t *pieces = WF_TAKE(&b->work, t->n, int32_t), start = wf_beam_first_pieces(t, b->options);
+    int32_t *pieces = WF_TAKE(&b->work, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
+    wf_beam_first_pieces(t, b->options, pieces);
     for (size_t k = 0; k < b->n; k++) b->wanted[k] = true;
     enum wf_status s = make_level(b, pieces, &b->level[1], e);
     if (s) return s;
@@ -246,7 +252,7 @@ static enum wf_status settle_block(struct block *b, struct wf_err *e)
             b->wanted[k] = false;
         }
     }
-    for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
+    wf_beam_second_pieces(t, pieces);
     for (int mesh = 1; !s && mesh < MESHES && any_wanted(b); mesh++) {
         if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted");
         s = next_level(b, pieces, e);

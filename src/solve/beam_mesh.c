@@ -41,9 +41,26 @@ void wf_row_axis(const struct wf_tree *t, size_t i, double s, double position[3]
     for (int k = 0; k < 3; k++) position[k] = base[k] + share * position[k];
 }
 
-int32_t wf_beam_first_pieces(const struct wf_tree *t, const struct wf_solve_options *o)
+void wf_beam_first_pieces(const struct wf_tree *t, const struct wf_solve_options *o, int32_t *pieces)
 {
-    return o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
+    enum { FEW = 24 }; /* elements */
+    for (size_t i = 0; i < t->n; i++)
+        pieces[i] = o->mesh_tolerance > 0 && t->n < FEW ? (int32_t)((FEW - 1) / t->n + 1) : 1;
+}
+
+void wf_beam_second_pieces(const struct wf_tree *t, int32_t *pieces)
+{
+    enum { FINE = 1024, SHARE = 32 }; /* pieces of the tree's height; a 32nd of all rows */
+    double height = 0, feet = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        pieces[i] *= 2;
+        height = fmax(height, t->z1[i] - t->z0[0]);
+        feet += t->parent[i] < 0;
+    }
+    const double most = floor((double)t->n / (SHARE * feet));
+    for (size_t i = 0; i < t->n && height > 0; i++)
+        if (t->parent[i] < 0)
+            pieces[i] = (int32_t)fmax(pieces[i], fmin(2 * most, ceil(FINE * wf_tree_length(t, i) / height)));
 }
 
 struct row_stiffness {

@@ -64,9 +64,24 @@ struct wf_beam_standing {
     double n[3], m[3]; /* force and moment that the part above exerts on its end [N, N m] */
 };
 
+/* What the mesh was found to be in one wind, from a comparison with another. */
+struct wf_beam_good {
+    double pace;     /* speed of the wind with the same load on a stiff tree [m/s]; 0: still air */
+    double along[3]; /* its direction */
+    double error; /* of positions, relative to the largest displacement, and of loads, relative to the force
+                     on the ground: the larger [-] */
+    double turn;  /* of the turn of the tree's tip, of what is allowed [-] */
+};
+enum { WF_BEAM_GOOD = 8 };
+struct wf_beam_goods {
+    size_t n; /* so many were found: the last of them are kept */
+    struct wf_beam_good at[WF_BEAM_GOOD];
+};
+
 struct wf_beam_mesh {
     const struct wf_tree *tree;
     size_t n; /* elements */
+    struct wf_beam_goods goods;
     struct wf_beam_part *part;
     struct wf_beam_flat *flat;         /* per element; NULL = all sections are round */
     int32_t *last;                     /* per row: its last element */
@@ -94,9 +109,14 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *tree, const struct wf_lo
                                   const struct wf_solve_options *options, const int32_t *pieces,
                                   struct wf_arena *arena, struct wf_beam_mesh *out, struct wf_err *e);
 
-/* Pieces per row of the first mesh where a mesh tolerance is given: a tree of few rows gets at least 24
- * elements. */
-int32_t wf_beam_first_pieces(const struct wf_tree *tree, const struct wf_solve_options *options);
+/* Pieces per row of the first mesh, pieces[n]: where a mesh tolerance is given, a tree of few rows gets at
+ * least 24 elements. */
+void wf_beam_first_pieces(const struct wf_tree *tree, const struct wf_solve_options *options,
+                          int32_t *pieces);
+/* Pieces per row of the mesh that it is compared with: twice as many; more in rows on the ground, where that
+ * takes few elements. Wind grows from the ground with a low power of height, and the error of its load on
+ * long pieces there would outweigh those of all other rows. */
+void wf_beam_second_pieces(const struct wf_tree *tree, int32_t *pieces);
 
 /* Position [m] and unit tangent of the unloaded axis at arc fraction s (0..1) of row i. */
 void wf_row_axis(const struct wf_tree *tree, size_t i, double s, double position[3], double tangent[3]);

@@ -636,7 +636,10 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     if (!b->only) b->tries = b->off && !b->links && !b->by_steps ? TRIES : 0;
     wf_beam_sweep_up(b);
     struct wf_beam_stability count = { .margin = stability_margin(b) };
-    if (!sweep_down(b, true, true, watch && b->close ? &count : NULL)) return WF_ENOCONV;
+    bool swept = sweep_down(b, true, true, watch && b->close ? &count : NULL);
+    if (b->begun) memcpy(b->begun, b->load, b->mesh.n * sizeof *b->begun);
+    b->begun = NULL;
+    if (!swept) return WF_ENOCONV;
     b->close = false;
     for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {
         if (i % STALL == 0) {

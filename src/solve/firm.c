@@ -168,7 +168,7 @@ static enum wf_status take_trial(struct trial *k, const struct wf_solve_options 
     struct wf_tree *t = k->tree;
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = wf_beam_first_pieces(t, o);
+    wf_beam_first_pieces(t, o, pieces);
     enum wf_status s = wf_beam_init(&k->beam, t, &k->weight, o, pieces, work, work, e);
     if (s) return s;
     k->mass = WF_TAKE(work, t->n, double);

@@ -318,8 +318,7 @@ static enum wf_status modes_within(const struct search *q, const struct wf_tree 
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     double *before = WF_TAKE(a, count, double);
     if (!pieces || !before) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    int32_t start = wf_beam_first_pieces(t, o);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
+    wf_beam_first_pieces(t, o, pieces);
     for (int mesh = 0; mesh < MESHES && !status; mesh++) {
         status = wf_beam_init(&b, t, l, o, pieces, &work, &work, e);
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
@@ -614,8 +613,7 @@ enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     weight.wind = NULL, weight.points = weight.ties = weight.links = 0, weight.line = NULL;
-    int32_t start = wf_beam_first_pieces(t, o);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
+    wf_beam_first_pieces(t, o, pieces);
     double before = NAN;
     for (int mesh = 0; mesh < MESHES; mesh++) {
         struct wf_beam b;

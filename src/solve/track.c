@@ -4,35 +4,19 @@
 #include "solve/beam.h"
 #include "solve/beam_small.h"
 #include "solve/modes.h"
+#include "solve/stations.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Unknowns of all elements and root plates. */
-struct form {
-    struct wf_beam_shape *shape;
-    double (*tilt)[3];
-};
+enum { CHECKED = 4 };
 
-/* A solution that others may start from. */
-struct station {
-    double speed; /* of its wind [m/s] */
-    bool led;     /* `lead` is known: by how much the form changes to that of the other loads, */
-    double share; /* of a wind that is faster by this share */
-    struct form at, lead;
-};
-enum { STATIONS = 6, GOOD = 8, CHECKED = 4 };
-
-/* What is known of a mesh: winds in which it met the tolerance, the last of them. */
-struct good {
-    double pace;     /* wind speed, see pace_of [m/s]; 0: still air */
-    double along[3]; /* its direction */
-    double error;    /* of the mesh, of what the tolerance allows [-] */
-};
+static double wind_of(const struct wf_loads *l) { return l->wind ? l->wind->speed : 0; }
 
 struct wf_track {
     const struct wf_tree *tree;
-    const struct wf_track *like; /* its mesh is taken; NULL: none */
+    const struct wf_track *like;   /* its mesh is taken; NULL: none */
+    const struct wf_beam_few *few; /* a mesh that is begun with where it is good; NULL: none */
     struct wf_solve_options options,
         follow; /* follow: Newton from a neighbour converges soon or not at all */
     struct wf_arena work;
@@ -43,13 +27,10 @@ struct wf_track {
     struct wf_wind wind; /* of the beam's loads after a solution: the caller's does not outlive it */
     double speed;        /* of the wind of the last solution [m/s] */
     size_t solutions;    /* on this mesh */
-    size_t goods;        /* so many winds in which it met the tolerance */
-    struct good good[GOOD];
-    bool at_last;                         /* begin at the last form of `like` */
-    bool solved, rested;                  /* there is a last form, a form at rest */
-    struct form last, lead, rest, before; /* before: the last one while the next is tried */
-    size_t stations;
-    struct station station[STATIONS];
+    bool at_last;        /* begin at the last form of `like` */
+    bool solved, rested; /* there is a last form, a form at rest */
+    struct wf_form last, lead, rest, before; /* before: the last one while the next is tried */
+    struct wf_stations stations;
 };
 
 enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o,
@@ -67,6 +48,8 @@ enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_opti
 }
 
 void wf_track_begin_at_last(struct wf_track *k) { k->at_last = true; }
+
+void wf_track_few(struct wf_track *k, const struct wf_beam_few *few) { k->few = few; }
 
 /* Memory for Newton's method on the present mesh. With links it is part of their state. */
 static bool take_newton(struct wf_track *k)
@@ -91,120 +74,51 @@ static bool one_mesh(const struct wf_track *k) { return !(k->options.mesh_tolera
 /* Is the tolerance mostly met by the first mesh? */
 static bool coarse(const struct wf_track *k) { return one_mesh(k) || k->options.mesh_tolerance >= 1e-4; }
 
-/* The unknowns of the beam itself. */
-static struct form form_of(const struct wf_beam *b) { return (struct form){ b->shape, b->tilt }; }
-
-static void copy_form(const struct wf_track *k, struct form to, struct form from)
+static void keep(const struct wf_track *k, struct wf_form to)
 {
-    memcpy(to.shape, from.shape, k->beam.mesh.n * sizeof *to.shape);
-    memcpy(to.tilt, from.tilt, k->beam.feet * sizeof *to.tilt);
+    wf_form_copy(&k->beam, to, wf_form_of(&k->beam));
 }
-
-static void keep(const struct wf_track *k, struct form to) { copy_form(k, to, form_of(&k->beam)); }
-static void put_back(const struct wf_track *k, struct form from) { copy_form(k, form_of(&k->beam), from); }
-
-/* to += share times from */
-static void add_form(const struct wf_track *k, struct form to, double share, struct form from)
+static void put_back(const struct wf_track *k, struct wf_form from)
 {
-    for (size_t i = 0; i < k->beam.mesh.n; i++)
-        for (int j = 0; j < 2; j++) v3_add(to.shape[i].v[j], share, from.shape[i].v[j]);
-    for (size_t i = 0; i < k->beam.feet; i++) v3_add(to.tilt[i], share, from.tilt[i]);
-}
-
-static bool take_form(struct wf_track *k, struct form *f)
-{
-    f->shape = wf_arena_take_unset(&k->work, k->beam.mesh.n, sizeof *f->shape);
-    f->tilt = wf_arena_take_unset(&k->work, k->beam.feet, sizeof *f->tilt);
-    return f->shape && f->tilt;
+    wf_form_copy(&k->beam, wf_form_of(&k->beam), from);
 }
 
 /* Room for the forms of a new mesh: of the stations there are none. */
 static enum wf_status take_forms(struct wf_track *k, struct wf_err *e)
 {
-    k->stations = 0;
-    for (size_t i = 0; i < STATIONS; i++) k->station[i] = (struct station){ .speed = 0 };
-    if (take_form(k, &k->last) && take_form(k, &k->lead) && take_form(k, &k->rest) &&
-        take_form(k, &k->before))
+    k->stations = (struct wf_stations){ .n = 0 };
+    if (wf_form_take(&k->beam, &k->work, &k->last) && wf_form_take(&k->beam, &k->work, &k->lead) &&
+        wf_form_take(&k->beam, &k->work, &k->rest) && wf_form_take(&k->beam, &k->work, &k->before))
         return WF_OK;
     return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions of %zu elements",
                    k->beam.mesh.n);
-}
-
-/* ---- Stations ---- */
-
-/* Logarithm of the ratio of two wind speeds, without sign. */
-static double apart(double a, double b) { return fabs(log(a / b)); }
-
-static double wind_of(const struct wf_loads *l) { return l->wind ? l->wind->speed : 0; }
-
-static struct station *nearest_station(struct wf_track *k, double speed)
-{
-    struct station *best = NULL;
-    for (size_t i = 0; i < k->stations && speed > 0; i++)
-        if (!best || apart(k->station[i].speed, speed) < apart(best->speed, speed)) best = &k->station[i];
-    return best;
-}
-
-/* Room for another station: the place of one of nearly this speed, a new one, or that of the station which
- * has another closest to it. NULL: not enough memory. */
-static struct station *free_station(struct wf_track *k, double speed)
-{
-    const double same = 0.02;
-    struct station *nearest = nearest_station(k, speed), *out = &k->station[0];
-    double closest = INFINITY;
-    if (nearest && apart(nearest->speed, speed) < same) return nearest;
-    if (k->stations < STATIONS) {
-        out = &k->station[k->stations];
-        if (!take_form(k, &out->at) || !take_form(k, &out->lead)) return NULL;
-        k->stations++;
-        return out;
-    }
-    for (size_t i = 0; i < STATIONS; i++)
-        for (size_t j = 0; j < STATIONS; j++) {
-            if (i == j || !(apart(k->station[i].speed, k->station[j].speed) < closest)) continue;
-            closest = apart(k->station[i].speed, k->station[j].speed);
-            out = &k->station[i];
-        }
-    return out;
 }
 
 /* Keep the last solution. A fine mesh is made anew for a speed that is not near: there it is the only one. */
 static void keep_station(struct wf_track *k, bool led, double share)
 {
     if (!(k->speed > 0)) return;
-    struct station *s = !coarse(k) && k->stations ? &k->station[0] : free_station(k, k->speed);
+    struct wf_station *s = !coarse(k) && k->stations.n
+                               ? &k->stations.at[0]
+                               : wf_stations_place(&k->stations, &k->beam, &k->work, k->speed);
     if (!s) return; /* solutions will start elsewhere */
     s->speed = k->speed;
     s->led = led, s->share = share;
-    copy_form(k, s->at, k->last);
-    if (led) copy_form(k, s->lead, k->lead);
-}
-
-static struct station *near_station(struct wf_track *k, double speed, double near)
-{
-    struct station *s = nearest_station(k, speed);
-    return s && apart(s->speed, speed) <= log(near) ? s : NULL;
-}
-
-/* How the shape grows with the wind speed: between stiff trees (2) and streamlined ones. */
-static const double growth = 1.5;
-
-/* to: the form at a wind speed near that of a solution, along its derivative. */
-static void lead_on(const struct wf_track *k, struct form to, const struct station *s, double speed)
-{
-    if (s->led) add_form(k, to, (pow(speed / s->speed, growth) - 1) / (s->share * growth), s->lead);
+    wf_form_copy(&k->beam, s->at, k->last);
+    if (led) wf_form_copy(&k->beam, s->lead, k->lead);
 }
 
 /* Let the last form of a track that is not solving be that of the solution nearest to a speed, moved there
  * along its derivative: where it is nearer than `own` (NULL: any near one). false: none is. */
-static bool recall(struct wf_track *k, double speed, const struct station *own)
+static bool recall(struct wf_track *k, double speed, const struct wf_station *own)
 {
     const double nearer = 1.2, much = 4;
-    const struct station *s = near_station(k, speed, nearer);
-    if (!s || (own && !(much * apart(s->speed, speed) < apart(own->speed, speed)))) return false;
+    const struct wf_station *s = wf_stations_near(&k->stations, speed, nearer);
+    if (!s || (own && !(much * wf_speeds_apart(s->speed, speed) < wf_speeds_apart(own->speed, speed))))
+        return false;
     if (!take_newton(k)) return false;
-    copy_form(k, k->last, s->at);
-    lead_on(k, k->last, s, speed);
+    wf_form_copy(&k->beam, k->last, s->at);
+    wf_form_lead(&k->beam, k->last, s, speed);
     k->speed = s->led ? speed : s->speed;
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
@@ -214,44 +128,34 @@ static bool recall(struct wf_track *k, double speed, const struct station *own)
 
 /* ---- Meshes ---- */
 
-/* The beam, unloaded, on the mesh of another (NULL: the first mesh of the beam solver). */
+/* The beam, unloaded, on the mesh of another, or with that many pieces a row (NULL: the first mesh of the
+ * beam solver). */
 static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, const struct wf_beam_mesh *mesh,
-                                struct wf_err *e)
+                                const int32_t *given, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     int32_t *pieces = WF_TAKE(&scratch, k->tree->n, int32_t);
-    int32_t first = wf_beam_first_pieces(k->tree, &k->options);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
-    for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? wf_beam_pieces(mesh, i) : first;
+    wf_beam_first_pieces(k->tree, &k->options, pieces);
+    for (size_t i = 0; i < k->tree->n && (mesh || given); i++)
+        pieces[i] = given ? given[i] : wf_beam_pieces(mesh, i);
     wf_arena_free(&k->work), wf_arena_free(&k->newton);
     k->rested = false;
-    k->solutions = 1, k->goods = 0;
+    k->solutions = 1;
     enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, newton_of(k, l), e);
     wf_arena_free(&scratch);
     return s ? s : take_forms(k, e);
 }
 
-/* The speed of a wind with the same load on a stiff tree [m/s]. */
-static double pace_of(const struct wf_loads *l) { return wind_of(l) * sqrt(l->wind_scale); }
-
-/* The mesh meets the tolerance at these loads. */
-static void note_good(struct wf_track *k, const struct wf_loads *l, double error)
-{
-    struct good *to = &k->good[k->goods++ % GOOD];
-    *to = (struct good){ .pace = pace_of(l), .error = error };
-    if (l->wind) memcpy(to->along, l->wind->direction, sizeof to->along);
-}
-
 /* Begin on the mesh of another track of the same tree, from its form at rest. */
 static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
 {
-    enum wf_status s = take_beam(k, l, &k->like->beam.mesh, e);
+    enum wf_status s = take_beam(k, l, &k->like->beam.mesh, NULL, e);
     if (s) return s;
-    const struct form *from = k->at_last ? &k->like->last : k->like->rested ? &k->like->rest : NULL;
+    const struct wf_form *from = k->at_last ? &k->like->last : k->like->rested ? &k->like->rest : NULL;
     if (from) put_back(k, *from);
     keep(k, k->last);
-    k->goods = k->like->goods;
-    memcpy(k->good, k->like->good, sizeof k->good);
+    k->beam.mesh.goods = k->like->beam.mesh.goods;
     k->rested = k->like->rested && !k->at_last;
     if (k->rested) keep(k, k->rest);
     k->speed = k->at_last ? k->like->speed : 0;
@@ -261,7 +165,7 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
 }
 
 /* A form on the mesh of `own`, for the present mesh. */
-static void carry_form(struct wf_track *k, struct wf_beam *own, struct form from, struct form to)
+static void carry_form(struct wf_track *k, struct wf_beam *own, struct wf_form from, struct wf_form to)
 {
     memcpy(own->shape, from.shape, own->mesh.n * sizeof *own->shape);
     memcpy(own->tilt, from.tilt, k->beam.feet * sizeof *own->tilt);
@@ -278,16 +182,17 @@ static void carry_forms(struct wf_track *k, struct wf_track *before)
     keep(k, k->last);
     if (before->rested) carry_form(k, &before->beam, before->rest, k->rest);
     k->rested = before->rested;
-    for (size_t i = 0; i < before->stations && coarse(k); i++) {
-        struct station *s = free_station(k, before->station[i].speed);
+    for (size_t i = 0; i < before->stations.n && coarse(k); i++) {
+        struct wf_station *s =
+            wf_stations_place(&k->stations, &k->beam, &k->work, before->stations.at[i].speed);
         if (!s) break;
-        s->speed = before->station[i].speed;
-        s->led = before->station[i].led, s->share = before->station[i].share;
-        carry_form(k, &before->beam, before->station[i].at, s->at);
+        s->speed = before->stations.at[i].speed;
+        s->led = before->stations.at[i].led, s->share = before->stations.at[i].share;
+        carry_form(k, &before->beam, before->stations.at[i].at, s->at);
         if (s->led) {
-            add_form(before, before->station[i].lead, 1, before->station[i].at);
-            carry_form(k, &before->beam, before->station[i].lead, s->lead);
-            add_form(k, s->lead, -1, s->at);
+            wf_form_add(&before->beam, before->stations.at[i].lead, 1, before->stations.at[i].at);
+            carry_form(k, &before->beam, before->stations.at[i].lead, s->lead);
+            wf_form_add(&k->beam, s->lead, -1, s->at);
         }
     }
     put_back(k, k->last);
@@ -300,10 +205,10 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     struct wf_track before = *k;
     k->work = k->newton = (struct wf_arena){ 0 };
     k->rested = k->solved = false;
-    k->stations = 0;
-    k->solutions = 1, k->goods = 0;
+    k->stations.n = 0;
+    k->solutions = 1;
     if (from == &k->beam) from = &before.beam;
-    const struct wf_beam_known known = { from, from, before.solved ? &before.beam.mesh : NULL };
+    const struct wf_beam_known known = { from, from, before.solved ? &before.beam.mesh : NULL, NULL };
     enum wf_status s =
         wf_beam_solve(k->tree, l, &k->options, &known, &k->work, newton_of(k, l), &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
@@ -333,7 +238,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
             *k = before;
             return remesh(k, l, &k->beam, e);
         }
-        k->solutions = 1, k->goods = 0;
+        k->solutions = 1;
         k->beam.k0 = NULL, k->beam.options = &k->options, k->beam.loads = *l;
         s = take_forms(k, e);
     }
@@ -347,7 +252,7 @@ static enum wf_status refine(struct wf_track *k, const struct wf_loads *l, const
  * back, of which it has the tangent. */
 static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
 {
-    double error = INFINITY;
+    struct wf_beam_good found;
     if (one_mesh(k)) return WF_OK;
     struct wf_arena scratch = { 0 };
     struct wf_beam *b = &k->beam;
@@ -356,21 +261,70 @@ static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, s
         pieces ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
     keep(k, k->before);
     bool further = !s && wf_beam_finish(b);
-    if (!s) s = wf_beam_mesh_off(b, k->options.mesh_tolerance, &error, pieces, e);
-    const bool meets = error <= 1;
-    if (!s && !meets) s = refine(k, l, pieces, e);
-    if (!s && meets) note_good(k, l, error);
-    if (!s && meets && further) put_back(k, k->before), wf_beam_sweep_up(b);
+    if (!s) s = wf_beam_mesh_off(b, k->options.mesh_tolerance, &found, pieces, e);
+    const bool meets = !s && found.error <= k->options.mesh_tolerance && found.turn <= 1;
+    if (!s && !meets) s = coarse(k) ? refine(k, l, pieces, e) : remesh(k, l, b, e);
+    if (meets) wf_beam_note_good(&b->mesh.goods, &found);
+    if (meets && further) put_back(k, k->before), wf_beam_sweep_up(b);
     wf_arena_free(&scratch);
     return s;
+}
+
+/* Is it worth trying whether the mesh meets the tolerance of the track? */
+static bool may_be_good(const struct wf_track *k, const struct wf_beam_mesh *m, const struct wf_loads *l)
+{
+    return wf_beam_expected_error(&m->goods, l, k->options.mesh_tolerance, 1) <= 1;
+}
+
+/* Is the present mesh to be kept at loads that are not near? A look at one that is much finer than that of
+ * another track would take longer than to make one anew. */
+static bool stays_good(const struct wf_track *k, const struct wf_loads *l, const struct wf_track *other)
+{
+    const double much = 1.25;
+    if (wf_beam_good_by_far(&k->beam.mesh.goods, l, k->options.mesh_tolerance)) return true;
+    return other && (double)k->beam.mesh.n <= much * (double)other->beam.mesh.n &&
+           may_be_good(k, &k->beam.mesh, l);
+}
+
+/* Is the mesh of few elements good at these loads? */
+static bool few_are_good(const struct wf_track *k, const struct wf_loads *l)
+{
+    return k->few && k->few->pieces && wf_beam_good_by_far(&k->few->goods, l, k->options.mesh_tolerance);
+}
+
+/* A solution on that mesh, or on the mesh of another track, whose shape is near, if it meets the tolerance;
+ * else on one that is made from it. */
+static enum wf_status begin_beside(struct wf_track *k, const struct wf_loads *l, struct wf_track *other,
+                                   struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    const bool few = few_are_good(k, l);
+    const struct wf_beam_goods *goods = few ? &k->few->goods : &other->beam.mesh.goods;
+    k->solved = false;
+    enum wf_status s = take_beam(k, l, &other->beam.mesh, few ? k->few->pieces : NULL, e);
+    if (s) return s;
+    k->beam.mesh.goods = *goods;
+    wf_beam_carry(&other->beam, &k->beam);
+    bool rests = comes_to_rest(k, l, &scratch);
+    k->beam.k0 = NULL, k->beam.options = &k->options;
+    wf_arena_free(&scratch);
+    if (!rests) return remesh(k, l, &other->beam, e);
+    return wf_beam_good_by_far(goods, l, k->options.mesh_tolerance) ? WF_OK : check_mesh(k, l, e);
 }
 
 /* The first solution, or with a fine mesh one far from the last. */
 static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, struct wf_track *other,
                             struct wf_err *e)
 {
-    if (!coarse(k)) return remesh(k, l, other && recall(other, wind_of(l), NULL) ? &other->beam : NULL, e);
-    enum wf_status s = take_beam(k, l, NULL, e);
+    if (!coarse(k)) {
+        const bool near = other && recall(other, wind_of(l), NULL);
+        k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
+        if (near && (few_are_good(k, l) || may_be_good(k, &other->beam.mesh, l)))
+            return begin_beside(k, l, other, e);
+        return remesh(k, l, near ? &other->beam : NULL, e);
+    }
+    enum wf_status s = take_beam(k, l, NULL, NULL, e);
+    if (k->few) k->beam.mesh.goods = k->few->first;
     if (!s) s = wf_beam_settle(&k->beam, newton_of(k, l), &k->outcome, e);
     if (s || !wf_beam_unmoved(&k->beam)) return s ? s : check_mesh(k, l, e);
     k->solutions = CHECKED - 1; /* the next one is looked at */
@@ -432,54 +386,30 @@ static bool approach(struct wf_track *k, const struct wf_loads *l, double from, 
     return false;
 }
 
-/* The solutions with derivatives that are next below and above a wind speed; NULL: none. */
-static void stations_beside(const struct wf_track *k, double speed, const struct station *beside[2])
-{
-    beside[0] = beside[1] = NULL;
-    for (size_t i = 0; i < k->stations; i++) {
-        const struct station *s = &k->station[i], **at = &beside[s->speed > speed];
-        if (s->led && (!*at || apart(s->speed, speed) < apart((*at)->speed, speed))) *at = s;
-    }
-}
-
-/* The unknowns at a wind speed between those of two solutions, by their values and derivatives: cubic in the
- * square of the speed, with which the shape of a stiff tree grows. */
-static void put_between(struct wf_track *k, const struct station *low, const struct station *high,
-                        double speed)
-{
-    const double a = low->speed * low->speed, b = high->speed * high->speed,
-                 s = (speed * speed - a) / (b - a), rest = 1 - s;
-    /* lead / (2 share a): the derivative by the square of the speed */
-    put_back(k, low->at);
-    add_form(k, form_of(&k->beam), -s * s * (3 - 2 * s), low->at);
-    add_form(k, form_of(&k->beam), s * s * (3 - 2 * s), high->at);
-    add_form(k, form_of(&k->beam), s * rest * rest * (b - a) / (2 * low->share * a), low->lead);
-    add_form(k, form_of(&k->beam), -s * s * rest * (b - a) / (2 * high->share * b), high->lead);
-}
-
 /* The form at a wind speed clearly below that of a solution, the nearest; *at: its speed. NULL: none. */
-static const struct form *form_below(const struct wf_track *k, double speed, double *at)
+static const struct wf_form *form_below(const struct wf_track *k, double speed, double *at)
 {
     const double clearly = 0.9;
-    const struct form *out = k->rested ? &k->rest : NULL;
+    const struct wf_form *out = k->rested ? &k->rest : NULL;
     *at = 0;
-    for (size_t i = 0; i < k->stations; i++) {
-        const struct station *s = &k->station[i];
+    for (size_t i = 0; i < k->stations.n; i++) {
+        const struct wf_station *s = &k->stations.at[i];
         if (s->speed < clearly * speed && (!out || s->speed > *at)) out = &s->at, *at = s->speed;
     }
     return out;
 }
 
 /* Move the unknowns from a solution on, by as much as they changed to it from that below. */
-static void move_on(struct wf_track *k, const struct station *s, double to)
+static void move_on(struct wf_track *k, const struct wf_station *s, double to)
 {
     const double most = 2;
     double low;
-    const struct form *below = form_below(k, s->speed, &low);
+    const struct wf_form *below = form_below(k, s->speed, &low);
     if (!below || to > most * s->speed) return;
-    double from = pow(s->speed, growth), part = (pow(to, growth) - from) / (from - pow(low, growth));
-    add_form(k, form_of(&k->beam), part, s->at);
-    add_form(k, form_of(&k->beam), -part, *below);
+    const double growth = WF_FORM_GROWTH, from = pow(s->speed, growth),
+                 part = (pow(to, growth) - from) / (from - pow(low, growth));
+    wf_form_add(&k->beam, wf_form_of(&k->beam), part, s->at);
+    wf_form_add(&k->beam, wf_form_of(&k->beam), -part, *below);
 }
 
 /* Put the unknowns where Newton's method is to start: between solutions on both sides, or at the nearest
@@ -489,18 +419,23 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
                         bool between)
 {
     const double to = wind_of(l);
-    const struct station *s = nearest_station(k, to), *beside[2];
-    bool close = near_station(k, to, WF_TRACK_NEAR);
+    const struct wf_station *s = wf_stations_nearest(&k->stations, to), *beside[2];
+    bool close = wf_stations_near(&k->stations, to, WF_TRACK_NEAR);
+    if (start->from && between) {
+        wf_beam_carry(start->from, &k->beam);
+        keep(k, k->last);
+        return to;
+    }
     if (start->other && recall(start->other, to, close ? s : NULL)) {
         wf_beam_carry(&start->other->beam, &k->beam);
         keep(k, k->last);
         return start->other->speed;
     }
-    stations_beside(k, to, beside);
-    k->beam.close = (beside[0] && beside[1]) || (near_station(k, to, 1.05) && s->led);
+    wf_stations_beside(&k->stations, to, beside);
+    k->beam.close = (beside[0] && beside[1]) || (wf_stations_near(&k->stations, to, 1.05) && s->led);
     if (between && to > 0 && beside[0] && beside[1]) {
-        copy_form(k, k->last, s->at);
-        put_between(k, beside[0], beside[1], to);
+        wf_form_copy(&k->beam, k->last, s->at);
+        wf_form_between(&k->beam, wf_form_of(&k->beam), beside[0], beside[1], to);
         return s->speed;
     }
     if (k->rested && (!s || to < 0.5 * s->speed)) {
@@ -508,10 +443,10 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
         keep(k, k->last);
         return 0;
     }
-    if (s) copy_form(k, k->last, s->at);
+    if (s) wf_form_copy(&k->beam, k->last, s->at);
     put_back(k, k->last);
     if (close && s->led)
-        lead_on(k, form_of(&k->beam), s, to);
+        wf_form_lead(&k->beam, wf_form_of(&k->beam), s, to);
     else if (between && s && to > s->speed)
         move_on(k, s, to);
     return s ? s->speed : k->speed;
@@ -519,27 +454,20 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
 
 static bool keeps_mesh(const struct wf_track *k) { return k->at_last || one_mesh(k); }
 
-/* Was the mesh so much better than the tolerance in one wind that it meets it in this one, from any
- * direction? Its error grows at most as the load of a stronger wind; in a weaker one, of whose smaller
- * displacements it is a share, it grows slowly. */
-static bool good_by_far(const struct good *g, double pace)
-{
-    const double most = 0.4, ratio = pace / g->pace;
-    return g->pace > 0 && g->error * fmax(ratio * ratio, sqrt(1 / ratio)) <= most;
-}
-
-/* Is the next solution to be compared with one on a finer mesh? Every fourth is, unless the mesh was found
- * good by far, or in nearly this wind, or in winds below and above it and neither far. */
+/* Is the next solution to be compared with one on a finer mesh? Every fourth is, with a fine mesh every one,
+ * unless the mesh was found good by far, or in nearly this wind, or in winds below and above it and neither
+ * far. */
 static bool check_is_due(const struct wf_track *k, const struct wf_loads *l)
 {
-    const double far = 3, same = 1 - 1e-6, pace = pace_of(l);
+    const double far = 3, same = 1 - 1e-6, pace = wf_beam_pace(l);
     bool below = false, above = false;
-    if (keeps_mesh(k) || (k->solutions + 1) % CHECKED) return false;
-    for (size_t i = 0; i < k->goods && i < GOOD && pace > 0; i++) {
-        const struct good *g = &k->good[i];
-        if (good_by_far(g, pace)) return false;
+    if (keeps_mesh(k) || (coarse(k) && (k->solutions + 1) % CHECKED)) return false;
+    const struct wf_beam_goods *goods = &k->beam.mesh.goods;
+    if (wf_beam_good_by_far(goods, l, k->options.mesh_tolerance)) return false;
+    for (size_t i = 0; i < goods->n && i < WF_BEAM_GOOD && pace > 0; i++) {
+        const struct wf_beam_good *g = &goods->at[i];
         if (!(wf_dot(g->along, l->wind->direction) > same)) continue;
-        if (apart(g->pace, pace) <= log(WF_TRACK_NEAR)) return false;
+        if (wf_speeds_apart(g->pace, pace) <= log(WF_TRACK_NEAR)) return false;
         below = below || (g->pace < pace && pace <= far * g->pace);
         above = above || (g->pace > pace && g->pace <= far * pace);
     }
@@ -594,11 +522,11 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     if (!known || landed) put_back(k, k->last);
     if (!(known ? wf_beam_side_take(b) : wf_beam_side_step(b, stable))) return WF_OK;
     wf_beam_read(b, &out->side);
-    const struct form at = k->lead; /* the last form is now that which was read; lead = side - at */
+    const struct wf_form at = k->lead; /* the last form is now that which was read; lead = side - at */
     k->lead = k->last;
     k->last = at;
     keep(k, k->lead);
-    add_form(k, k->lead, -1, k->last);
+    wf_form_add(&k->beam, k->lead, -1, k->last);
     out->sided = true;
     return WF_OK;
 }
@@ -611,7 +539,7 @@ static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, c
 {
     struct wf_beam *b = &k->beam;
     bool stable = false;
-    copy_form(k, k->before, k->last);
+    wf_form_copy(&k->beam, k->before, k->last);
     (void)put_start(k, l, start, true);
     b->iterations = b->steps = 0;
     b->loads = *l;
@@ -621,7 +549,7 @@ static enum wf_status solve_soon(struct wf_track *k, const struct wf_loads *l, c
     enum wf_status s = read_both(k, side, false, &stable, a, out, e);
     *done = !s && stable && out->sided;
     if (!*done) {
-        copy_form(k, k->last, k->before);
+        wf_form_copy(&k->beam, k->last, k->before);
         out->finished = out->sided = false;
         return s;
     }
@@ -639,7 +567,9 @@ static enum wf_status solve(struct wf_track *k, const struct wf_loads *l, const 
     if (s) return s;
     bool like = k->like && k->like->solved;
     if (like && !k->solved && (s = adopt(k, l, e))) return s;
-    bool on = k->solved && (like || coarse(k) || near_station(k, wind_of(l), WF_TRACK_NEAR)), done = false;
+    bool on = k->solved && (like || coarse(k) || wf_stations_near(&k->stations, wind_of(l), WF_TRACK_NEAR) ||
+                            stays_good(k, l, start->other)),
+         done = false;
     k->beam.other = !start->alone && k->options.tolerance > WF_BEAM_TIGHT ? side : NULL;
     bool soon = on && side && !start->alone && !check_is_due(k, l);
     if (soon) s = solve_soon(k, l, side, start, a, out, &done, e);

@@ -16,6 +16,10 @@ enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_opti
  * solution instead of that in still air, and
  * keep to its mesh. Before the first solution. */
 void wf_track_begin_at_last(struct wf_track *k);
+struct wf_beam;
+struct wf_beam_few; /* solve/beam.h */
+/* A mesh that the track takes at loads where it is good by far. It must outlive the track. NULL: none. */
+void wf_track_few(struct wf_track *k, const struct wf_beam_few *few);
 /* NULL is allowed. */
 void wf_track_close(struct wf_track *k);
 
@@ -32,9 +36,10 @@ struct wf_tracked {
 /* Where Newton's method starts: from the solution whose wind speed is nearest, of this track or, where none
  * is near, of another. */
 struct wf_track_start {
-    double share;           /* `side` are the loads of a wind that is faster by this share [-] */
-    struct wf_track *other; /* a track of the same tree, whose last solution may become another of its own
-                               (NULL: none) */
+    double share;               /* `side` are the loads of a wind that is faster by this share [-] */
+    struct wf_track *other;     /* a track of the same tree, whose last solution may become another of its own
+                                   (NULL: none) */
+    const struct wf_beam *from; /* a solution at these loads on another mesh (NULL: none) */
     bool alone; /* the answer to `side` is not wanted, and no solution near this one follows on this track */
 };
 

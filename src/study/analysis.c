@@ -9,6 +9,7 @@
 #include "grow/silhouette.h"
 #include "load/interception.h"
 #include "load/winter.h"
+#include "solve/beam.h"
 #include "study/brace.h"
 #include "study/guy.h"
 #include "study/node.h"
@@ -334,11 +335,13 @@ static enum wf_status solve_winds(struct wf_analysis *out, const struct wf_solve
     }
     struct wf_err why = { 0 };
     struct wf_nodes *nodes = NULL;
+    struct wf_given *given = wf_given_open(a);
     size_t k = 0;
     bool searched = false;
     wf_stage_begin(n, false, "%s: wind speeds", out->species->name);
     while (k < n && !(k && wf_interrupted()) && !s)
-        if (!(s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++, wf_stage_step(1);
+        if (!(s = wf_speed_solve(out, o, speeds[k], given, a, d, &out->at[k], &why))) k++, wf_stage_step(1);
+    out->given = given;
     if (!s && k == n && out->search.solved) out->search.solved(out, out->search.context);
     if (!s && k < n) s = WF_EINTERRUPTED;
     if (!s && !(nodes = wf_nodes_open(out, NULL)))
@@ -350,6 +353,7 @@ static enum wf_status solve_winds(struct wf_analysis *out, const struct wf_solve
     wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", out->species->name);
     if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);
     wf_nodes_close(nodes);
+    wf_given_close(given, a);
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
     if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);

@@ -169,10 +169,12 @@ static enum wf_status open_sequence(const struct wf_nodes *k, const struct wf_so
         if (k->like->sequence[i].track[0] && k->like->sequence[i].tolerance == o->mesh_tolerance)
             like = &k->like->sequence[i];
     enum wf_status s = WF_OK;
+    const struct wf_beam_few *few = k->kin ? NULL : wf_given_few(k->an->given);
     for (int part = 0; part < (wf_peak_branches(k->an->peak) ? WF_NODE_PARTS : 1) && !s; part++) {
         /* in still air both parts have one state, and one mesh is good for both */
         const struct wf_track *first = like ? like->track[part] : part ? out->track[WF_NODE_STEM] : NULL;
         s = wf_track_open(&k->an->tree, &out->options, first, &out->track[part], e);
+        if (!s) wf_track_few(out->track[part], few);
     }
     if (!s && k->kin) wf_track_begin_at_last(out->track[0]);
     return s;

@@ -312,38 +312,85 @@ struct kept {
     bool solved;
 };
 
-/* As the solver 'beam'. Given: in *last the solution of another state of the tree, or none. Returned: also
- * *last, this solution, where there is one. */
-static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                 const struct wf_loads *l, struct kept *last, struct wf_arena *a,
-                                 struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+struct wf_given {
+    double speed; /* of the states [m/s] */
+    struct kept state[WF_PARTS];
+    const struct kept *last; /* of them, while the speed is solved; NULL: none is yet */
+    struct wf_beam_few few;  /* a mesh for further states */
+};
+
+static void free_state(struct wf_given *g, enum wf_part part)
 {
-    struct kept now = { 0 };
+    wf_arena_free(&g->state[part].memory);
+    g->state[part].solved = false;
+}
+
+static void free_states(struct wf_given *g)
+{
+    for (int k = 0; k < WF_PARTS; k++) free_state(g, (enum wf_part)k);
+    g->last = NULL;
+}
+
+/* What is known after the states of a speed, for further ones: of the first speed also the states in which
+ * they begin, that of the mean wind is not among these. to: NULL, nothing is kept. */
+static void leave(struct wf_given *now, struct wf_given *to, bool solved)
+{
+    if (to && !(to->speed > 0) && solved) {
+        to->speed = now->speed;
+        memcpy(to->state, now->state, sizeof to->state);
+        free_state(to, WF_PART_MEAN);
+    } else
+        free_states(now);
+    if (to)
+        to->few = now->few;
+    else
+        wf_arena_free(&now->few.memory);
+}
+
+struct wf_given *wf_given_open(struct wf_arena *a) { return WF_TAKE(a, 1, struct wf_given); }
+
+void wf_given_close(struct wf_given *g, struct wf_arena *a)
+{
+    if (!g) return;
+    free_states(g);
+    wf_arena_join(a, &g->few.memory);
+}
+
+const struct wf_beam_few *wf_given_few(const struct wf_given *g) { return g ? &g->few : NULL; }
+
+/* As the solver 'beam', from what is known of other states. Returned: also the solution, where there is one.
+ */
+static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                 const struct wf_loads *l, enum wf_part part, struct wf_given *g,
+                                 struct wf_arena *a, struct wf_response *r, struct wf_diag *d,
+                                 struct wf_err *e)
+{
+    struct kept *now = &g->state[part];
     struct wf_arena newton = { 0 };
     struct wf_beam_outcome how = { 0 };
     enum wf_status s = wf_response_alloc(r, an->tree.n, a, e);
     if (!s) s = wf_solve_check(&an->tree, l, d, e);
     if (s) return s;
-    const struct wf_beam_known known = { .near = &last->beam, .good = &last->beam.mesh };
-    s = wf_beam_solve(&an->tree, l, o, last->solved ? &known : NULL, &now.memory, &newton, &now.beam, &how,
-                      e);
-    now.solved = !s;
+    const struct wf_beam_known known = { .near = g->last ? &g->last->beam : NULL,
+                                         .good = g->last ? &g->last->beam.mesh : NULL,
+                                         .few = &g->few };
+    s = wf_beam_solve(&an->tree, l, o, &known, &now->memory, &newton, &now->beam, &how, e);
     r->load_factor = how.load_factor;
-    if (!s) wf_beam_read(&now.beam, r);
+    if (!s) wf_beam_read(&now->beam, r);
     wf_arena_free(&newton);
     if (s) {
-        wf_arena_free(&now.memory);
+        wf_arena_free(&now->memory);
         return s;
     }
-    wf_beam_warn(&now.beam, &how, d);
-    wf_arena_free(&last->memory);
-    *last = now;
+    wf_beam_warn(&now->beam, &how, d);
+    now->solved = true;
+    g->last = now;
     return WF_OK;
 }
 
-/* The tree in one of the states of a wind speed, near that in *last; otherwise as wf_speed_solve. */
+/* The tree in one of the states of a wind speed; otherwise as wf_speed_solve. */
 static enum wf_status solve_state(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  double speed, enum wf_part part, struct kept *last, struct wf_arena *a,
+                                  double speed, enum wf_part part, struct wf_given *g, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_at_speed *out, struct wf_err *e)
 {
     struct wf_wind wind;
@@ -356,7 +403,7 @@ static enum wf_status solve_state(const struct wf_analysis *an, const struct wf_
     if (an->scenario.shelter && loads.wind)
         s = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
     else if (an->solver == &wf_solver_beam)
-        s = solve_beam(an, o, &loads, last, a, &out->response, d, &why);
+        s = solve_beam(an, o, &loads, part, g, a, &out->response, d, &why);
     else
         s = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
     s = note_status(s, &why, out, e);
@@ -427,23 +474,24 @@ static struct wf_steady steady_of(const struct wf_at_speed *at)
 }
 
 enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                              struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
-                              struct wf_err *e)
+                              struct wf_given *given, struct wf_arena *a, struct wf_diag *d,
+                              struct wf_at_speed *out, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_diag quiet = { .arena = &scratch };
     struct wf_at_speed mean, branches;
-    struct kept last = { 0 };
-    enum wf_status s = WF_OK;
-    bool gusts = wf_peak_differs(an->peak);
-    if (gusts) s = solve_state(an, o, speed, WF_PART_MEAN, &last, &scratch, &quiet, &mean, e);
-    if (!s) s = solve_state(an, o, speed, WF_PART_STEM, &last, a, d, out, e);
-    if (!s) out->steady = steady_of(gusts ? &mean : out);
+    struct wf_given now = { .speed = speed };
+    const bool gusts = wf_peak_differs(an->peak);
+    if (given) now.few = given->few;
+    /* the mean wind last: a mesh that is good in more wind is good in it */
+    enum wf_status s = solve_state(an, o, speed, WF_PART_STEM, &now, a, d, out, e);
     if (!s && wf_peak_branches(an->peak)) {
-        s = solve_state(an, o, speed, WF_PART_BRANCHES, &last, &scratch, &quiet, &branches, e);
+        s = solve_state(an, o, speed, WF_PART_BRANCHES, &now, &scratch, &quiet, &branches, e);
         if (!s) wf_speed_take_branches(an, &branches, out);
     }
-    wf_arena_free(&last.memory);
+    if (!s && gusts) s = solve_state(an, o, speed, WF_PART_MEAN, &now, &scratch, &quiet, &mean, e);
+    if (!s) out->steady = steady_of(gusts ? &mean : out);
+    leave(&now, given, !s);
     wf_arena_free(&scratch);
     return s;
 }
@@ -468,7 +516,7 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
 {
     struct wf_arena scratch = { 0 };
     struct wf_diag quiet = { .arena = &scratch };
-    enum wf_status s = wf_speed_solve(an, o, speed, &scratch, &quiet, out, e);
+    enum wf_status s = wf_speed_solve(an, o, speed, NULL, &scratch, &quiet, out, e);
     wf_stage_step(1);
     wf_arena_free(&scratch);
     wf_speed_drop_columns(out);
@@ -545,6 +593,13 @@ static double share_of(double speed)
     return most / (1.0 + speed * speed / (light * light));
 }
 
+/* The solution of a given speed; NULL: none. */
+static const struct wf_beam *given_state(const struct wf_analysis *an, enum wf_part part, double speed)
+{
+    const struct wf_given *g = an->given;
+    return g && g->speed == speed && g->state[part].solved ? &g->state[part].beam : NULL;
+}
+
 enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *k,
                               double speed, const struct wf_track_start *near, struct wf_arena *a,
                               struct wf_speed_answers *out, struct wf_err *e)
@@ -556,9 +611,13 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     *out = (struct wf_speed_answers){ .at = { .speed = speed, .steady = unknown } };
     blow(an, speed, part, &wind, &loads);
     const double share = share_of(loads.wind ? wind.speed : 0.0);
-    const struct wf_track_start start = { share, near ? near->other : NULL, near && near->alone };
+    const struct wf_track_start start = { .share = share,
+                                          .other = near ? near->other : NULL,
+                                          .alone = near && near->alone,
+                                          .from = given_state(an, part, speed) };
     blow(an, speed * (1.0 + share), part, &more, &side);
     enum wf_status s = wf_track_solve(k, &loads, speed > 0.0 ? &side : NULL, &start, a, &t, &why);
+    if (start.from) free_state(an->given, part); /* the track has it now */
     out->at.response = t.at;
     out->irregular = t.irregular;
     s = note_status(s, &why, &out->at, e);

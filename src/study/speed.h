@@ -147,17 +147,27 @@ struct wf_analysis {
     double branch_safety; /* `bare`: the least of the listed branches in the strongest given wind that has a
                              solution [-]; NAN: none */
     struct wf_held held;
-    double tallness;      /* height [m] */
-    struct wf_diag *diag; /* validity warnings                               */
+    struct wf_given *given; /* what solutions at the given speeds leave; NULL: none */
+    double tallness;        /* height [m] */
+    struct wf_diag *diag;   /* validity warnings                               */
 };
 
-/* Given: an analysis whose tree, wind, loads, species, solver are set; a speed at the reference height [m/s].
- * Returned: WF_OK and *out, its columns in `a`; where the solver finds no equilibrium (WF_EUNSTABLE,
- * WF_ENOCONV) also WF_OK with that status in out->status, the totals NAN and the load factor in
- * out->response; another code when the run must end. */
+/* What solutions at given speeds leave for further ones: the states at the first of them, until it is closed,
+ * and a mesh, in the arena. NULL: not enough memory. */
+struct wf_given;
+struct wf_beam_few; /* solve/beam.h */
+struct wf_given *wf_given_open(struct wf_arena *a);
+void wf_given_close(struct wf_given *g, struct wf_arena *a);      /* NULL is allowed */
+const struct wf_beam_few *wf_given_few(const struct wf_given *g); /* NULL for NULL */
+
+/* Given: an analysis whose tree, wind, loads, species, solver are set; a speed at the reference height [m/s];
+ * what is known from other speeds, to which this is added (NULL: nothing). Returned: WF_OK and *out, its
+ * columns in `a`; where the solver finds no equilibrium (WF_EUNSTABLE, WF_ENOCONV) also WF_OK with that
+ * status in out->status, the totals NAN and the load factor in out->response; another code when the run must
+ * end. */
 enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                              struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
-                              struct wf_err *e);
+                              struct wf_given *given, struct wf_arena *a, struct wf_diag *d,
+                              struct wf_at_speed *out, struct wf_err *e);
 /* One wind speed at the reference height [m/s] of an analysis after wf_analysis_set_up; its columns are not
  * kept: only the totals and the worst sections of *out are valid afterwards. Returned: WF_OK and *out; where
  * the solver finds no equilibrium (WF_EUNSTABLE, WF_ENOCONV) also WF_OK with that status in out->status, the
