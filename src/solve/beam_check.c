@@ -310,7 +310,7 @@ static struct wf_beam_good good_of(const struct wf_loads *l, double place, doubl
 }
 
 /* A mesh is chosen for a share of the tolerance, so that one more is seldom solved. */
-static const double aim = 0.15, aim_loads = 0.1, aim_few = 0.25;
+static const double aim = 0.15, aim_few = 0.25;
 
 bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c)
 {
@@ -325,11 +325,21 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
     return c->place <= enough * tolerance && c->loads <= enough_loads * tolerance && c->turn <= 1;
 }
 
+/* The same for the loads, whose rows' errors are summed without their signs: those of many rows cancel in
+ * part.
+ */
+static double aim_loads(size_t rows)
+{
+    const double least = 0.1, most = 0.6, few = 40;
+    return fmin(fmax(least * sqrt((double)rows / few), least), most);
+}
+
 void wf_beam_check_choose(const struct wf_beam *fine, struct wf_beam_check *c, int32_t *pieces)
 {
     const double tolerance = fine->options->mesh_tolerance;
     const size_t tip = wf_tip_row(fine->mesh.tree);
-    (void)choose_pieces(fine, fine, c, aim * tolerance * c->scale, aim_loads * tolerance, true, pieces);
+    (void)choose_pieces(fine, fine, c, aim * tolerance * c->scale, aim_loads(fine->mesh.tree->n) * tolerance,
+                        true, pieces);
     if (!(c->turn <= 1)) pieces[tip] = (int32_t)fmax(pieces[tip], 2 * wf_beam_pieces(&fine->mesh, tip));
 }
 
