@@ -134,36 +134,31 @@ struct two_meshes {
     struct wf_arena before, shape, newton;
 };
 
+/* Iterations of Newton's method from a neighbour, from which it converges soon or not at all; where what
+ * follows is cheap. */
+enum { FOLLOW_ITERATIONS = 32, SOON = 12 };
+
+/* Newton's method from the shape of another solution, whatever its mesh, if it converges soon; a: as
+ * for wf_beam_rests_soon. */
+static bool rests_beside(struct wf_beam *b, const struct wf_beam *from, size_t iterations, struct wf_arena *a)
+{
+    const struct wf_solve_options *own = b->options;
+    struct wf_solve_options soon = *own;
+    soon.iterations_max = iterations;
+    wf_beam_carry(from, b);
+    b->options = &soon;
+    bool rests = wf_beam_rests_soon(b, a);
+    b->options = own;
+    return rests;
+}
+
 /* As wf_beam_settle; where Newton's method stalls, first from the shape of `near` (NULL: none). */
 static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near, struct wf_arena *newton,
                                   struct wf_beam_outcome *out, struct wf_err *e)
 {
-    enum { FOLLOW_ITERATIONS = 32 }; /* from a neighbour it converges soon or not at all */
-    const struct wf_solve_options *own = b->options;
-    struct wf_solve_options follow = *own;
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (wf_beam_rests(b)) return WF_OK;
-    if (!near) return wf_beam_step_to_rest(b, newton, out, e);
-    follow.iterations_max = FOLLOW_ITERATIONS;
-    wf_beam_carry(near, b);
-    b->options = &follow;
-    bool rests = wf_beam_rests_soon(b, newton);
-    b->options = own;
-    return rests ? WF_OK : wf_beam_step_to_rest(b, newton, out, e);
-}
-
-/* Newton's method from the shape of another solution, whatever its mesh, if it converges soon. */
-static bool rests_beside(struct wf_beam *b, const struct wf_beam *from)
-{
-    enum { SOON = 12 };
-    const struct wf_solve_options *own = b->options;
-    struct wf_solve_options soon = *own;
-    soon.iterations_max = SOON;
-    wf_beam_carry(from, b);
-    b->options = &soon;
-    bool rests = wf_beam_rests_soon(b, NULL);
-    b->options = own;
-    return rests;
+    if (wf_beam_rests(b) || (near && rests_beside(b, near, FOLLOW_ITERATIONS, newton))) return WF_OK;
+    return wf_beam_step_to_rest(b, newton, out, e);
 }
 
 /* Pieces of the mesh that is begun with: half as many as that of `from`, or as many; at least those of the
@@ -190,7 +185,7 @@ static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads
     enum wf_status s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
     if (s || !from) return s ? s : settle_near(b, near, &m->newton, out, e);
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (rests_beside(b, from)) return WF_OK;
+    if (rests_beside(b, from, SOON, NULL)) return WF_OK;
     wf_arena_free(&m->shape), wf_arena_free(&m->newton);
     begin_pieces(t, o, from, false, pieces);
     s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
@@ -262,7 +257,7 @@ static enum wf_status solve_on_few(const struct wf_tree *t, const struct wf_load
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
     enum wf_status s = wf_beam_init(b, t, l, o, known->few->pieces, &m->shape, &m->newton, e);
     b->mesh.goods = known->few->goods;
-    if (s || (known->near && rests_beside(b, known->near))) return s;
+    if (s || (known->near && rests_beside(b, known->near, SOON, NULL))) return s;
     memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
     memset(b->tilt, 0, t->n * sizeof *b->tilt);
     return settle_near(b, known->near, &m->newton, out, e);

@@ -299,11 +299,6 @@ static enum wf_status end_search(const struct search *q, enum wf_status s, const
     return WF_OK;
 }
 
-static bool reached(const struct wf_critical *c)
-{
-    return c->outcome == WF_CRITICAL_FOUND || c->outcome == WF_CRITICAL_SELF_WEIGHT;
-}
-
 /* ---- By steps ---- */
 
 static enum wf_status crossing_by_steps(struct search *q, struct wf_err *e)
@@ -319,7 +314,7 @@ static enum wf_status search_by_steps(struct search *q, const struct wf_solve_op
     struct wf_at_speed at;
     q->o = quick;
     enum wf_status s = crossing_by_steps(q, e);
-    if (s || !reached(c)) return s;
+    if (s || !wf_verdict_reached(c)) return s;
     const struct wf_worst *worst = &at.worst[q->criterion][q->scope];
     bool found = c->outcome == WF_CRITICAL_FOUND;
     /* of a tree that fails at rest the place alone is wanted, and that of the search is good enough */
@@ -596,15 +591,14 @@ static enum wf_status search_scope(const struct wf_analysis *an, const struct wf
  * many. */
 static size_t by_nearness(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA])
 {
-    const double same = 1e-6; /* of alike ones the earlier row of wf_criteria */
     const struct wf_at_speed *at = an->at && an->n ? &an->at[an->n - 1] : NULL;
     size_t n = 0;
     for (int c = 0; c < WF_CRITERIA; c++) {
         if (!wf_criteria[c].loses_tree) continue;
         size_t k = n++;
-        for (;
-             k && at &&
-             at->worst[c][WF_SCOPE_STEM].safety < (1 - same) * at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
+        for (; k && at &&
+               at->worst[c][WF_SCOPE_STEM].safety <
+                   (1 - WF_VERDICT_SAME) * at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
              k--)
             order[k] = order[k - 1];
         order[k] = (enum wf_criterion_id)c;
@@ -646,7 +640,7 @@ static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_
         struct wf_err why = { 0 };
         s = wf_nodes_tracked(an) ? search_part(&q, 1, &quick, o, e)
                                  : end_search(&q, search_by_steps(&q, &quick, o, &why), &why, e);
-        if (!s && reached(&b->critical))
+        if (!s && wf_verdict_reached(&b->critical))
             lowest = fmin(lowest, b->critical.outcome == WF_CRITICAL_FOUND ? b->critical.speed : 0.0);
     }
     for (int c = 0; c < WF_CRITERIA; c++)

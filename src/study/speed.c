@@ -336,6 +336,7 @@ static void free_states(struct wf_given *g)
 static void leave(struct wf_given *now, struct wf_given *to, bool solved)
 {
     if (to && !(to->speed > 0) && solved) {
+        free_states(to); /* of still air */
         to->speed = now->speed;
         memcpy(to->state, now->state, sizeof to->state);
         free_state(to, WF_PART_MEAN);

@@ -23,12 +23,7 @@ double wf_verdict_bound(const struct wf_critical *c)
     return INFINITY;
 }
 
-/* Closer than this, the earlier row of wf_criteria governs: a stem that is hardly twisted breaks by bending.
- */
-static const double same = 1e-6;
-
-/* Is it known where the tree is lost? */
-static bool known(const struct wf_critical *c)
+bool wf_verdict_reached(const struct wf_critical *c)
 {
     return c->outcome == WF_CRITICAL_FOUND || c->outcome == WF_CRITICAL_SELF_WEIGHT;
 }
@@ -39,7 +34,8 @@ static bool known(const struct wf_critical *c)
 static bool governs(const struct wf_critical *c, const struct wf_critical *before)
 {
     double bound = wf_verdict_bound(c), lowest = wf_verdict_bound(before);
-    return known(c) && !known(before) ? bound <= lowest * (1 + same) : bound < lowest * (1 - same);
+    return wf_verdict_reached(c) && !wf_verdict_reached(before) ? bound <= lowest * (1 + WF_VERDICT_SAME)
+                                                                : bound < lowest * (1 - WF_VERDICT_SAME);
 }
 
 struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
@@ -61,7 +57,7 @@ double wf_verdict_safety(const struct wf_at_speed *at, enum wf_criterion_id *cri
     for (int c = 0; c < WF_CRITERIA && !at->status; c++) {
         double safety = at->worst[c][WF_SCOPE_STEM].safety;
         if (!wf_criteria[c].loses_tree || isnan(safety) || least <= safety) continue;
-        if (criterion && !(safety >= least * (1 - same))) *criterion = (enum wf_criterion_id)c;
+        if (criterion && !(safety >= least * (1 - WF_VERDICT_SAME))) *criterion = (enum wf_criterion_id)c;
         least = safety;
     }
     return least;
@@ -76,8 +72,8 @@ const struct wf_at_speed *wf_verdict_wind(const struct wf_analysis *an)
 
 bool wf_verdict_lost(const struct wf_verdict *v, const struct wf_at_speed *at)
 {
-    const bool is_known = v->loss && known(&v->loss->critical);
-    return (is_known && at->speed > wf_verdict_bound(&v->loss->critical)) || wf_verdict_safety(at, NULL) <= 1;
+    const bool reached = v->loss && wf_verdict_reached(&v->loss->critical);
+    return (reached && at->speed > wf_verdict_bound(&v->loss->critical)) || wf_verdict_safety(at, NULL) <= 1;
 }
 
 const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_verdict *v,

@@ -16,6 +16,12 @@ struct wf_verdict {
  * search without result. */
 struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES]);
 
+/* Is it known where the criterion is reached: at a speed, or at rest? */
+bool wf_verdict_reached(const struct wf_critical *c);
+/* Results closer than this share are alike: the earlier row of wf_criteria governs. A stem that is hardly
+ * twisted breaks by bending. */
+#define WF_VERDICT_SAME 1e-6
+
 /* The lowest speed at which the criterion may be reached [m/s]: the critical speed, 0 by self-weight, the
  * end of the search where it is not reached; INFINITY: not known. */
 double wf_verdict_bound(const struct wf_critical *c);
