@@ -161,6 +161,19 @@ static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near,
     return wf_beam_step_to_rest(b, newton, out, e);
 }
 
+/* The same, first from the shape of `soon` (NULL: none) if Newton's method converges soon there. */
+static enum wf_status settle_soon(struct wf_beam *b, const struct wf_beam *soon, const struct wf_beam *near,
+                                  struct wf_arena *newton, struct wf_beam_outcome *out, struct wf_err *e)
+{
+    *out = (struct wf_beam_outcome){ .load_factor = 1 };
+    if (soon && rests_beside(b, soon, SOON, NULL)) return WF_OK;
+    if (soon) {
+        memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
+        memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
+    }
+    return settle_near(b, near, newton, out, e);
+}
+
 /* Pieces of the mesh that is begun with: half as many as that of `from`, or as many; at least those of the
  * first mesh. */
 static void begin_pieces(const struct wf_tree *t, const struct wf_solve_options *o,
@@ -183,7 +196,7 @@ static enum wf_status solve_first(const struct wf_tree *t, const struct wf_loads
     const struct wf_beam *const from = known->from, *const near = known->near;
     begin_pieces(t, o, from, true, pieces);
     enum wf_status s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
-    if (s || !from) return s ? s : settle_near(b, near, &m->newton, out, e);
+    if (s || !from) return s ? s : settle_soon(b, known->soon, near, &m->newton, out, e);
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
     if (rests_beside(b, from, SOON, NULL)) return WF_OK;
     wf_arena_free(&m->shape), wf_arena_free(&m->newton);
@@ -254,13 +267,10 @@ static enum wf_status solve_on_few(const struct wf_tree *t, const struct wf_load
                                    struct two_meshes *m, struct wf_beam *b, struct wf_beam_outcome *out,
                                    struct wf_err *e)
 {
-    *out = (struct wf_beam_outcome){ .load_factor = 1 };
     enum wf_status s = wf_beam_init(b, t, l, o, known->few->pieces, &m->shape, &m->newton, e);
     b->mesh.goods = known->few->goods;
-    if (s || (known->near && rests_beside(b, known->near, SOON, NULL))) return s;
-    memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
-    memset(b->tilt, 0, t->n * sizeof *b->tilt);
-    return settle_near(b, known->near, &m->newton, out, e);
+    const struct wf_beam *const soon = known->soon ? known->soon : known->near;
+    return s ? s : settle_soon(b, soon, known->near, &m->newton, out, e);
 }
 
 static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,

@@ -23,6 +23,7 @@ struct wf_beam_known {
     const struct wf_beam *from;      /* a solution whose mesh and shape are begun with; else the first mesh,
                                         unloaded */
     const struct wf_beam *near;      /* one whose shape is tried where Newton's method stalls */
+    const struct wf_beam *soon;      /* without `from`: one whose shape is tried first */
     const struct wf_beam_mesh *good; /* a mesh that met the tolerance */
     struct wf_beam_few *few;         /* given and returned */
 };

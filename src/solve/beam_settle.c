@@ -161,16 +161,26 @@ static bool settle_part(struct wf_beam *b, void *context)
     return settled;
 }
 
+/* The small parts in which the residual is, or at least the largest of it: what is elsewhere may be of what
+ * these do to the rest. */
+static struct wf_beam_parts worst_parts(struct wf_beam *b)
+{
+    const double slight = 1e-3, coarser = 10, most = 0.5;
+    struct wf_beam_parts out = wf_beam_find_parts(b, slight);
+    for (double share = coarser * slight; out.large && share < most; share *= coarser)
+        out = wf_beam_find_parts(b, share);
+    return out;
+}
+
 bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a)
 {
     enum { ROUNDS = 4 };
-    const double slight = 1e-3;
     struct saved_shape last;
     if (!b->off || b->links || !take_fallback(b, a, &last)) return false;
     for (int round = 0; round < ROUNDS; round++) {
         wf_beam_sweep_up(b);
         if (!wf_beam_sweep_down(b, true, NULL) || b->misfit.bending > 1e-3 * b->misfit.energy) return false;
-        struct wf_beam_parts parts = wf_beam_find_parts(b, slight);
+        struct wf_beam_parts parts = worst_parts(b);
         if (parts.large || !wf_beam_each_part(b, parts.n, INFINITY, settle_part, &last)) return false;
         if (wf_beam_rests(b)) return true;
     }

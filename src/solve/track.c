@@ -108,14 +108,23 @@ static void keep_station(struct wf_track *k, bool led, double share)
     if (led) wf_form_copy(&k->beam, s->lead, k->lead);
 }
 
-/* Let the last form of a track that is not solving be that of the solution nearest to a speed, moved there
- * along its derivative: where it is nearer than `own` (NULL: any near one). false: none is. */
-static bool recall(struct wf_track *k, double speed, const struct wf_station *own)
+/* Ratios of wind speeds, and of paces of different loads, up to which one solution is near another. */
+static const double beside = 1.2, alike = 1.05;
+
+/* The wind speed at which the loads of a track are as on a stiff tree at these. */
+static double pace_on(const struct wf_track *k, const struct wf_loads *l)
 {
-    const double nearer = 1.2, much = 4;
-    const struct wf_station *s = wf_stations_near(&k->stations, speed, nearer);
-    if (!s || (own && !(much * wf_speeds_apart(s->speed, speed) < wf_speeds_apart(own->speed, speed))))
-        return false;
+    return wf_beam_pace(l) / sqrt(k->beam.loads.wind_scale);
+}
+
+/* Let the last form of a track that is not solving be that of the solution nearest to a speed, moved there
+ * along its derivative: where it is within a ratio of speeds, and much nearer than another that is `apart`
+ * (INFINITY: there is no other). false: none is. */
+static bool recall(struct wf_track *k, double speed, double ratio, double apart)
+{
+    const double much = 4;
+    const struct wf_station *s = wf_stations_near(&k->stations, speed, ratio);
+    if (!s || !(much * wf_speeds_apart(s->speed, speed) < apart)) return false;
     if (!take_newton(k)) return false;
     wf_form_copy(&k->beam, k->last, s->at);
     wf_form_lead(&k->beam, k->last, s, speed);
@@ -124,6 +133,11 @@ static bool recall(struct wf_track *k, double speed, const struct wf_station *ow
     wf_beam_sweep_up(&k->beam);
     wf_arena_free(&k->newton);
     return true;
+}
+
+const struct wf_beam *wf_track_near(struct wf_track *k, double speed)
+{
+    return recall(k, speed, beside, INFINITY) ? &k->beam : NULL;
 }
 
 /* ---- Meshes ---- */
@@ -208,7 +222,9 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->stations.n = 0;
     k->solutions = 1;
     if (from == &k->beam) from = &before.beam;
-    const struct wf_beam_known known = { from, from, before.solved ? &before.beam.mesh : NULL, NULL };
+    const struct wf_beam_known known = { .from = from,
+                                         .near = from,
+                                         .good = before.solved ? &before.beam.mesh : NULL };
     enum wf_status s =
         wf_beam_solve(k->tree, l, &k->options, &known, &k->work, newton_of(k, l), &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
@@ -317,7 +333,7 @@ static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, struct
                             struct wf_err *e)
 {
     if (!coarse(k)) {
-        const bool near = other && recall(other, wind_of(l), NULL);
+        const bool near = other && recall(other, wind_of(l), beside, INFINITY);
         k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
         if (near && (few_are_good(k, l) || may_be_good(k, &other->beam.mesh, l)))
             return begin_beside(k, l, other, e);
@@ -419,23 +435,29 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
                         bool between)
 {
     const double to = wind_of(l);
-    const struct wf_station *s = wf_stations_nearest(&k->stations, to), *beside[2];
+    const struct wf_station *s = wf_stations_nearest(&k->stations, to), *around[2];
     bool close = wf_stations_near(&k->stations, to, WF_TRACK_NEAR);
     if (start->from && between) {
         wf_beam_carry(start->from, &k->beam);
         keep(k, k->last);
         return to;
     }
-    if (start->other && recall(start->other, to, close ? s : NULL)) {
+    const double apart = s && to > 0 ? wf_speeds_apart(s->speed, to) : (double)INFINITY;
+    if (start->other && recall(start->other, to, beside, close ? apart : (double)INFINITY)) {
         wf_beam_carry(&start->other->beam, &k->beam);
         keep(k, k->last);
         return start->other->speed;
     }
-    wf_stations_beside(&k->stations, to, beside);
-    k->beam.close = (beside[0] && beside[1]) || (wf_stations_near(&k->stations, to, 1.05) && s->led);
-    if (between && to > 0 && beside[0] && beside[1]) {
+    if (start->paced && between && recall(start->paced, pace_on(start->paced, l), alike, apart)) {
+        wf_beam_carry(&start->paced->beam, &k->beam);
+        keep(k, k->last);
+        return to;
+    }
+    wf_stations_beside(&k->stations, to, around);
+    k->beam.close = (around[0] && around[1]) || (wf_stations_near(&k->stations, to, 1.05) && s->led);
+    if (between && to > 0 && around[0] && around[1]) {
         wf_form_copy(&k->beam, k->last, s->at);
-        wf_form_between(&k->beam, wf_form_of(&k->beam), beside[0], beside[1], to);
+        wf_form_between(&k->beam, wf_form_of(&k->beam), around[0], around[1], to);
         return s->speed;
     }
     if (k->rested && (!s || to < 0.5 * s->speed)) {

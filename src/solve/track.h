@@ -20,6 +20,9 @@ struct wf_beam;
 struct wf_beam_few; /* solve/beam.h */
 /* A mesh that the track takes at loads where it is good by far. It must outlive the track. NULL: none. */
 void wf_track_few(struct wf_track *k, const struct wf_beam_few *few);
+/* The solution nearest to a wind speed [m/s], if one is near, for another to begin with its shape, until the
+ * next call; NULL: none. */
+const struct wf_beam *wf_track_near(struct wf_track *k, double speed);
 /* NULL is allowed. */
 void wf_track_close(struct wf_track *k);
 
@@ -39,6 +42,8 @@ struct wf_track_start {
     double share;               /* `side` are the loads of a wind that is faster by this share [-] */
     struct wf_track *other;     /* a track of the same tree, whose last solution may become another of its own
                                    (NULL: none) */
+    struct wf_track *paced;     /* a track of the same tree under other loads of the wind, from whose solution
+                                   at the same pace (wf_beam_pace) it starts too (NULL: none) */
     const struct wf_beam *from; /* a solution at these loads on another mesh (NULL: none) */
     bool alone; /* the answer to `side` is not wanted, and no solution near this one follows on this track */
 };

@@ -49,6 +49,8 @@ struct wf_peak {
     struct wf_sway sway[WF_PEAK_SWAYS];
     double slope[2][WF_PEAK_SWAYS]; /* of frequency and air by speed */
     struct wf_sway_search *more;    /* finds those at higher speeds when they are asked for (study/sway.h) */
+    struct wf_track *about;         /* the states in mean winds about which sways are found, as long as `more`
+                                       (solve/track.h); NULL: none */
     bool partial;                   /* those at higher speeds are not known */
     size_t others; /* sways at the highest specified speed of other choices of modes (study/sway.c) */
     struct wf_sway other[WF_PEAK_OTHERS];

@@ -359,6 +359,22 @@ void wf_given_close(struct wf_given *g, struct wf_arena *a)
 
 const struct wf_beam_few *wf_given_few(const struct wf_given *g) { return g ? &g->few : NULL; }
 
+/* The states in mean winds about which sways were found; NULL: there are none. */
+static struct wf_track *mean_states(const struct wf_analysis *an)
+{
+    return an->peak ? an->peak->about : NULL;
+}
+
+/* That of a speed; NULL: none. */
+static const struct wf_beam *mean_state(const struct wf_analysis *an, double speed)
+{
+    struct wf_wind wind;
+    struct wf_loads loads;
+    struct wf_track *all = mean_states(an);
+    blow(an, speed, WF_PART_MEAN, &wind, &loads);
+    return all && loads.wind ? wf_track_near(all, wind.speed) : NULL;
+}
+
 /* As the solver 'beam', from what is known of other states. Returned: also the solution, where there is one.
  */
 static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_solve_options *o,
@@ -374,6 +390,7 @@ static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_s
     if (s) return s;
     const struct wf_beam_known known = { .near = g->last ? &g->last->beam : NULL,
                                          .good = g->last ? &g->last->beam.mesh : NULL,
+                                         .soon = part == WF_PART_BRANCHES ? NULL : mean_state(an, g->speed),
                                          .few = &g->few };
     s = wf_beam_solve(&an->tree, l, o, &known, &now->memory, &newton, &now->beam, &how, e);
     r->load_factor = how.load_factor;
@@ -615,6 +632,7 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     const struct wf_track_start start = { .share = share,
                                           .other = near ? near->other : NULL,
                                           .alone = near && near->alone,
+                                          .paced = part == WF_PART_MEAN ? NULL : mean_states(an),
                                           .from = given_state(an, part, speed) };
     blow(an, speed * (1.0 + share), part, &more, &side);
     enum wf_status s = wf_track_solve(k, &loads, speed > 0.0 ? &side : NULL, &start, a, &t, &why);

@@ -216,14 +216,16 @@ static enum wf_status open_search(const struct wf_analysis *an, struct wf_peak *
     qsort(q->at, q->n, sizeof *q->at, wf_ascending);
     if (o->mesh_tolerance > 0.0) q->coarse.mesh_tolerance = fmax(o->mesh_tolerance, rough);
     p->more = q, p->partial = true;
-    return wf_track_open(&an->tree, &q->coarse, NULL, &q->track, e);
+    enum wf_status s = wf_track_open(&an->tree, &q->coarse, NULL, &q->track, e);
+    if (!s) p->about = q->track;
+    return s;
 }
 
 /* No more sways are found. */
 static void close_search(struct wf_sway_search *q)
 {
     wf_track_close(q->track);
-    q->peak->more = NULL;
+    q->peak->more = NULL, q->peak->about = NULL;
 }
 
 /* Are the sways known on which those up to a speed depend: that at it or above, and one more, for the slopes
@@ -246,7 +248,7 @@ static void find_sways(struct wf_sway_search *q, double speed)
     }
     wf_peak_sways_take(q->peak);
     if (q->peak->sways && q->at[0] == 0.0) q->peak->still = q->first;
-    if (q->next == q->n) q->peak->partial = false, close_search(q);
+    if (q->next == q->n) q->peak->partial = false;
 }
 
 void wf_sway_reach(const struct wf_analysis *an, double speed)
@@ -379,7 +381,8 @@ static enum wf_status reach_all(const struct wf_analysis *an, double speed, stru
 {
     wf_sway_reach(an, speed);
     const struct wf_sway_search *left = an->peak ? an->peak->more : NULL;
-    return left && !covers(left, speed) ? wf_fail(e, WF_EINTERRUPTED, "interrupted") : WF_OK;
+    return left && left->next < left->n && !covers(left, speed) ? wf_fail(e, WF_EINTERRUPTED, "interrupted")
+                                                                : WF_OK;
 }
 
 enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
