@@ -255,16 +255,24 @@ static void directions(struct beam_case *c, double speed)
     for (int k = 0; k < 3; k++) {
         struct wf_arena a = { 0 };
         struct wf_beam_state state[N] = { { 0 } };
+        struct wf_beam b;
+        struct wf_beam_outcome how;
+        struct wf_beam_few few = { .pieces = NULL };
+        const struct wf_beam_known known = { .few = &few };
         double start = now();
-        if (wf_solver_beam.solve(&c->tree, &loads[0], &o, &a, &c->out, &c->diag, &c->err))
+        if (wf_response_alloc(&c->out, c->tree.n, &a, &c->err) ||
+            wf_beam_solve(&c->tree, &loads[0], &o, &known, &a, &a, &b, &how, &c->err))
             printf("%s\n", c->err.text);
+        else
+            wf_beam_read(&b, &c->out);
         one = fmin(one, now() - start);
         for (size_t s = 0; s < N; s++) state[s].loads = &loads[s];
         start = now();
-        if (wf_beam_many(&c->tree, state, N, &o, &a, NULL, &c->err)) printf("%s\n", c->err.text);
+        if (wf_beam_many(&c->tree, state, N, &o, &few, &a, NULL, &c->err)) printf("%s\n", c->err.text);
         all = fmin(all, now() - start);
         alone = 0;
         for (size_t s = 0; s < N; s++) alone += state[s].alone;
+        wf_arena_free(&few.memory);
         wf_arena_free(&a);
     }
     printf("      real loads: one direction %.3f s, 16 directions %.3f s (%zu solved alone); ratio %.2f\n",

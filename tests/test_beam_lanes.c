@@ -43,14 +43,14 @@ static void wild(struct many *m, uint64_t seed, size_t rows, double speed)
 static void solve(struct many *m, size_t n)
 {
     m->c.err = (struct wf_err){ 0 };
-    if (wf_beam_many(&m->c.tree, m->state, n, &m->c.options, &m->c.arena, NULL, &m->c.err))
+    if (wf_beam_many(&m->c.tree, m->state, n, &m->c.options, NULL, &m->c.arena, NULL, &m->c.err))
         fail_msg("%s", m->c.err.text);
 }
 
 static void solve_one(struct many *m, size_t k, struct wf_response *r)
 {
     struct wf_err e = { 0 };
-    if (wf_solver_beam.solve(&m->c.tree, &m->loads[k], &m->c.options, &m->c.arena, r, &m->c.diag, &e))
+    if (wf_solver_beam.solve(&m->c.tree, &m->loads[k], &m->c.options, NULL, &m->c.arena, r, &m->c.diag, &e))
         fail_msg("%s", e.text);
 }
 
@@ -267,7 +267,7 @@ static void refused(void **state)
     struct many m;
     wild(&m, 2, 30, 10);
     m.loads[4].gravity = NAN;
-    assert_int_equal(wf_beam_many(&m.c.tree, m.state, N, &m.c.options, &m.c.arena, NULL, &m.c.err),
+    assert_int_equal(wf_beam_many(&m.c.tree, m.state, N, &m.c.options, NULL, &m.c.arena, NULL, &m.c.err),
                      WF_EINPUT);
     beam_free(&m.c);
 }

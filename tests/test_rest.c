@@ -125,7 +125,7 @@ static void side_by_side_as_alone(void **state)
         wind[k] = c.wind, wind[k].speed = 6.0 * k + 2;
         loads[k] = c.loads, loads[k].wind = &wind[k], of[k].loads = &loads[k];
     }
-    assert_int_equal(wf_beam_many(&c.tree, of, 3, &c.options, &c.arena, &c.diag, &c.err), WF_OK);
+    assert_int_equal(wf_beam_many(&c.tree, of, 3, &c.options, NULL, &c.arena, &c.diag, &c.err), WF_OK);
     for (int k = 0; k < 3; k++) {
         assert_int_equal(of[k].status, WF_OK);
         assert_false(of[k].alone);

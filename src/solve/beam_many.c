@@ -56,6 +56,7 @@ struct level {
 struct block {
     const struct wf_tree *tree;
     const struct wf_solve_options *options;
+    const struct wf_beam_few *few; /* NULL: none */
     const struct wf_lanes_kernel *kernel;
     struct wf_beam_state *state;
     size_t n;                   /* states */
@@ -231,6 +232,24 @@ static enum wf_status next_level(struct block *b, const int32_t *pieces, struct 
     return s;
 }
 
+/* Is a mesh of few elements good by far at these loads? */
+static bool few_are_good(const struct wf_beam_few *few, const struct wf_loads *l,
+                         const struct wf_solve_options *o)
+{
+    return few && few->pieces && wf_beam_good_by_far(&few->goods, l, o->mesh_tolerance);
+}
+
+/* The states on that mesh. */
+static enum wf_status settle_on_few(struct block *b, struct wf_err *e)
+{
+    enum wf_status s = make_level(b, b->few->pieces, &b->level[1], e);
+    if (s) return s;
+    settle_level(b, &b->level[1]);
+    for (size_t k = 0; k < b->n; k++)
+        if (b->wanted[k]) answer_state(b, &b->level[1], k);
+    return WF_OK;
+}
+
 static enum wf_status settle_block(struct block *b, struct wf_err *e)
 {
     enum { MESHES = 6 };
@@ -239,6 +258,9 @@ static enum wf_status settle_block(struct block *b, struct wf_err *e)
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     wf_beam_first_pieces(t, b->options, pieces);
     for (size_t k = 0; k < b->n; k++) b->wanted[k] = true;
+    bool few = true;
+    for (size_t k = 0; k < b->n; k++) few = few && few_are_good(b->few, b->state[k].loads, b->options);
+    if (few) return settle_on_few(b, e);
     enum wf_status s = make_level(b, pieces, &b->level[1], e);
     if (s) return s;
     settle_level(b, &b->level[1]);
@@ -274,12 +296,16 @@ static bool side_by_side(const struct wf_tree *t, const struct wf_beam_state *st
     return covered;
 }
 
-static void solve_alone(const struct wf_tree *t, const struct wf_solve_options *o, struct wf_beam_state *x)
+static void solve_alone(const struct wf_tree *t, const struct wf_solve_options *o,
+                        const struct wf_beam_few *few, struct wf_beam_state *x)
 {
     struct wf_arena work = { 0 };
     struct wf_beam b;
     struct wf_beam_outcome out = { .load_factor = 0 };
-    x->status = wf_beam_solve(t, x->loads, o, NULL, &work, &work, &b, &out, &x->why);
+    const bool good = few_are_good(few, x->loads, o); /* then it is not changed */
+    struct wf_beam_few mesh = good ? *few : (struct wf_beam_few){ .pieces = NULL };
+    const struct wf_beam_known known = { .few = good ? &mesh : NULL };
+    x->status = wf_beam_solve(t, x->loads, o, &known, &work, &work, &b, &out, &x->why);
     if (!x->status) {
         wf_beam_read(&b, &x->response);
         x->loose = b.loose;
@@ -292,6 +318,7 @@ static void solve_alone(const struct wf_tree *t, const struct wf_solve_options *
 struct many {
     const struct wf_tree *tree;
     const struct wf_solve_options *options;
+    const struct wf_beam_few *few;
     struct wf_beam_state *state;
     size_t n;
 };
@@ -303,7 +330,9 @@ static enum wf_status one_block(void *context, size_t at, struct wf_err *e)
     struct wf_arena memory = { 0 };
     struct block *b = WF_TAKE(&memory, 1, struct block);
     if (!b) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu states", n);
-    *b = (struct block){ .tree = m->tree, .options = m->options, .state = m->state + from, .n = n };
+    *b = (struct block){
+        .tree = m->tree, .options = m->options, .few = m->few, .state = m->state + from, .n = n
+    };
     b->kernel = wf_lanes_kernel(n);
     enum wf_status s = WF_OK;
     bool together = side_by_side(m->tree, b->state, n, m->options);
@@ -312,16 +341,16 @@ static enum wf_status one_block(void *context, size_t at, struct wf_err *e)
     for (size_t k = 0; k < 2; k++) wf_arena_free(&b->level[k].memory);
     wf_arena_free(&b->newton), wf_arena_free(&b->work);
     for (size_t k = 0; k < n && !s; k++)
-        if (b->state[k].alone) solve_alone(m->tree, m->options, &b->state[k]);
+        if (b->state[k].alone) solve_alone(m->tree, m->options, m->few, &b->state[k]);
     wf_arena_free(&memory);
     return s;
 }
 
 enum wf_status wf_beam_many(const struct wf_tree *t, struct wf_beam_state *state, size_t n,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_diag *d,
-                            struct wf_err *e)
+                            const struct wf_solve_options *o, const struct wf_beam_few *few,
+                            struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    struct many m = { t, o, state, n };
+    struct many m = { t, o, few, state, n };
     for (size_t k = 0; k < n; k++) {
         state[k] = (struct wf_beam_state){ .loads = state[k].loads };
         enum wf_status s = wf_response_alloc(&state[k].response, t->n, a, e);

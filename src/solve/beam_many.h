@@ -19,9 +19,11 @@ struct wf_beam_state {
     size_t loose;      /* small parts that are in equilibrium but not stable */
 };
 
-/* Solve n states. Given: tree, loads of each state, options. Returned: each state's response and status;
- * warnings in *d (may be NULL). Errors: those that concern no single state, WF_ENOMEM and WF_EINTERRUPTED;
- * WF_EINPUT for a tree that does not pass wf_solve_check.
+struct wf_beam_few; /* solve/beam.h */
+/* Solve n states. Given: tree, loads of each state, options; a mesh that follows from another state of the
+ * tree, on which a block is solved where it is good by far for all of its states (NULL: none). Returned: each
+ * state's response and status; warnings in *d (may be NULL). Errors: those that concern no single state,
+ * WF_ENOMEM and WF_EINTERRUPTED; WF_EINPUT for a tree that does not pass wf_solve_check.
  *
  * The states of a block of WF_BEAM_BLOCK are solved on the same meshes, each of which is refined where one of
  * the states that still need it asks for it. Hence the answer of a state depends, within the mesh tolerance,
@@ -29,8 +31,8 @@ struct wf_beam_state {
  * lanes do not cover is solved as wf_solver_beam does: a single state, sections that are not round, root
  * springs, point loads, cables, different line loads. */
 enum wf_status wf_beam_many(const struct wf_tree *t, struct wf_beam_state *state, size_t n,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_diag *d,
-                            struct wf_err *e);
+                            const struct wf_solve_options *o, const struct wf_beam_few *few,
+                            struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 
 /* Memory of x->width lanes on its mesh; what Newton's method alone needs is in `newton`. Errors: WF_ENOMEM.
  */

@@ -569,7 +569,7 @@ static enum wf_status solve_block(const struct wf_analysis *const *an, const dou
         state[k] = (struct wf_beam_state){ .loads = &loads[k] };
         out[k] = (struct wf_at_speed){ .speed = speed[k], .steady = unknown };
     }
-    enum wf_status s = wf_beam_many(&an[0]->tree, state, n, o, &scratch, NULL, e);
+    enum wf_status s = wf_beam_many(&an[0]->tree, state, n, o, wf_given_few(an[0]->given), &scratch, NULL, e);
     if (!s) s = fill_block(an, state, n, &scratch, out, e);
     wf_arena_free(&scratch);
     return s;
