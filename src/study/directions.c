@@ -45,15 +45,29 @@ static void turn_wind(const struct work *w, size_t at, struct wf_analysis *an)
     wf_analysis_turned(an);
 }
 
-/* The sways of the tree along the wind of one direction. */
+/* The sways of the tree along the wind of a direction other than the first. */
 static enum wf_status sway(void *context, size_t k, struct wf_err *e)
 {
     const struct work *w = context;
     struct wf_analysis an;
-    turn_wind(w, k, &an);
+    turn_wind(w, k + 1, &an);
     const double given[] = { w->an->at[w->an->n - 1].speed };
-    enum wf_status s = wf_sway_set_up(&an, w->o, given, 1, &w->arena[k], NULL, e);
-    w->peak[k] = an.peak;
+    enum wf_status s = wf_sway_turned(&an, w->peak[0], w->o, given, 1, &w->arena[k + 1], e);
+    w->peak[k + 1] = an.peak;
+    return s;
+}
+
+/* The sways along all directions, which take the mesh of the first. */
+static enum wf_status sways(struct work *w, size_t threads, struct wf_err *e)
+{
+    struct wf_analysis an;
+    turn_wind(w, 0, &an);
+    const double given[] = { w->an->at[w->an->n - 1].speed };
+    enum wf_status s = wf_sway_begin(&an, w->o, given, 1, &w->arena[0], NULL, e);
+    if (!s) wf_sway_reach(&an, INFINITY);
+    w->peak[0] = an.peak;
+    if (!s) s = wf_parallel(w->out->request.n - 1, threads, sway, w, e);
+    wf_sway_end(&an);
     return s;
 }
 
@@ -169,7 +183,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
         out->direction[k].gusts = gusts + k * an->n;
     }
     wf_stage_begin(q->n * (an->n + WF_SEARCH_SOLUTIONS), true, "%zu directions", q->n);
-    s = wf_parallel(q->n, o->threads, sway, &w, e);
+    s = sways(&w, o->threads, e);
     if (!s) s = wf_parallel((q->n + WF_BEAM_BLOCK - 1) / WF_BEAM_BLOCK, o->threads, solve_speeds, &w, e);
     if (!s) s = solve_direction(&w, 0, NULL, &first, &w.like, e); /* the others take its meshes */
     if (!s) s = wf_parallel(q->n - 1, o->threads, one, &w, e);

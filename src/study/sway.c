@@ -206,9 +206,11 @@ struct wf_sway_search {
     double *first, *shape; /* of the sway in still air, of the next */
 };
 
+/* like: as for wf_track_open. */
 static enum wf_status open_search(const struct wf_analysis *an, struct wf_peak *p,
-                                  const struct wf_solve_options *o, double highest, struct wf_arena *a,
-                                  struct wf_sway_search *q, struct wf_err *e)
+                                  const struct wf_solve_options *o, const struct wf_track *like,
+                                  double highest, struct wf_arena *a, struct wf_sway_search *q,
+                                  struct wf_err *e)
 {
     q->an = an, q->peak = p, q->coarse = *o, q->highest = highest;
     q->first = WF_TAKE(a, 3 * an->tree.n, double), q->shape = WF_TAKE(a, BANDS * 3 * an->tree.n, double);
@@ -216,7 +218,7 @@ static enum wf_status open_search(const struct wf_analysis *an, struct wf_peak *
     qsort(q->at, q->n, sizeof *q->at, wf_ascending);
     if (o->mesh_tolerance > 0.0) q->coarse.mesh_tolerance = fmax(o->mesh_tolerance, rough);
     p->more = q, p->partial = true;
-    enum wf_status s = wf_track_open(&an->tree, &q->coarse, NULL, &q->track, e);
+    enum wf_status s = wf_track_open(&an->tree, &q->coarse, like, &q->track, e);
     if (!s) p->about = q->track;
     return s;
 }
@@ -385,8 +387,9 @@ static enum wf_status reach_all(const struct wf_analysis *an, double speed, stru
                                                                 : WF_OK;
 }
 
-enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
-                             size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+static enum wf_status begin_search(struct wf_analysis *an, const struct wf_solve_options *o,
+                                   const struct wf_track *like, const double *speeds, size_t n,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_peak *p;
     struct wf_sway_search *q = WF_TAKE(a, 1, struct wf_sway_search);
@@ -396,10 +399,26 @@ enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_optio
     enum wf_status s = begin(an, a, &p, e);
     if (s) return s;
     an->peak = p;
-    if (p->method->sways) s = open_search(an, p, o, n && d ? highest : NAN, a, q, e);
+    if (p->method->sways) s = open_search(an, p, o, like, n && d ? highest : NAN, a, q, e);
     if (!s) s = reach_all(an, highest, e);
     if (!s && d && p->method->sways) note_limits(an, p, highest, d);
     if (!s && d && an->model && p->method->mean) note_stand(an, p, d);
+    return s;
+}
+
+enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
+                             size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    return begin_search(an, o, NULL, speeds, n, a, d, e);
+}
+
+enum wf_status wf_sway_turned(struct wf_analysis *an, const struct wf_peak *first,
+                              const struct wf_solve_options *o, const double *speeds, size_t n,
+                              struct wf_arena *a, struct wf_err *e)
+{
+    enum wf_status s = begin_search(an, o, first->about, speeds, n, a, NULL, e);
+    if (!s) s = reach_all(an, INFINITY, e);
+    wf_sway_end(an);
     return s;
 }
 

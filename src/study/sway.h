@@ -17,7 +17,13 @@ extern "C" {
 enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 
-/* The same, with the sways that the given speeds need. Those that higher speeds need are found by
+/* The same in wind from another direction than that of `first`, the peak load of the same tree between
+ * wf_sway_begin and wf_sway_end, whose mesh is taken. Several threads may call it for one `first`. */
+enum wf_status wf_sway_turned(struct wf_analysis *an, const struct wf_peak *first,
+                              const struct wf_solve_options *o, const double *speeds, size_t n,
+                              struct wf_arena *a, struct wf_err *e);
+
+/* As wf_sway_set_up, with the sways that the given speeds need. Those that higher speeds need are found by
  * wf_sway_reach, before the peak load at a speed [m/s] is asked for, and are the same as if all had been
  * found at once; nothing is done where they are known. Until wf_sway_end, which is called on success and
  * failure alike and leaves `partial` in an->peak where sways were not asked for; the analysis stays where it
