@@ -168,13 +168,15 @@ static double yardstick(const double v[WF_TOTALS], const double size[WF_TOTALS],
     return fmax(fabs(v[k]), least);
 }
 
+/* The totals that curves are drawn of, without lift: the first ones, with one criterion. */
+enum { DRAWN = WF_TOTAL_UTILISATION + WF_SCOPES };
+
 /* Largest relative difference of two sets of totals. Given: size[WF_TOTALS], the largest value of each total
- * on the curve. What no curve is drawn of does not count: lift,
- * and criteria but the first. */
+ * on the curve. What no curve is drawn of does not count. */
 static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS], const double size[WF_TOTALS])
 {
     double worst = 0.0;
-    for (int k = 0; k < WF_TOTAL_UTILISATION + WF_SCOPES; k++) {
+    for (int k = 0; k < DRAWN; k++) {
         if (k == WF_TOTAL_LIFT) continue;
         double off = fabs(b[k] - a[k]) / yardstick(a, size, k);
         if (isfinite(a[k]) && size[k] > 0.0) worst = fmax(worst, isfinite(off) ? off : INFINITY);
@@ -196,14 +198,14 @@ static void read_part(const struct wf_analysis *an, enum wf_node_part part, cons
     }
 }
 
-/* Given: two nodes of a part, with slopes, low below high; a speed between them [m/s]. Returned:
- * v[WF_TOTALS]; and other[WF_TOTALS], by a second curve with the same values and slopes: their difference
- * bounds the error where it is small. Method: what the wind adds to the value at rest is a cubic of
- * logarithms of value and speed where it follows a power of the speed at both ends, compared with a cubic of
- * the speed's square; where it does not, that cubic, compared with one of the speed. From speed 0 a power of
- * the speed beside the value there. Utilisation and largest stress are the largest of those of the rows, so
- * that a curve may pass from one governing row to another. */
-static void totals_between(const struct between *n, double speed, double v[WF_TOTALS],
+/* Given: two nodes of a part, with slopes, low below high; a speed between them [m/s]. Returned: the first
+ * `most` of v[WF_TOTALS]; and of other[WF_TOTALS], by a second curve with the same values and slopes: their
+ * difference bounds the error where it is small. Method: what the wind adds to the value at rest is a cubic
+ * of logarithms of value and speed where it follows a power of the speed at both ends, compared with a cubic
+ * of the speed's square; where it does not, that cubic, compared with one of the speed. From speed 0 a power
+ * of the speed beside the value there. Utilisation and largest stress are the largest of those of the rows,
+ * so that a curve may pass from one governing row to another. */
+static void totals_between(const struct between *n, double speed, int most, double v[WF_TOTALS],
                            double other[WF_TOTALS])
 {
     const struct wf_node *low = n->low, *high = n->high;
@@ -212,7 +214,7 @@ static void totals_between(const struct between *n, double speed, double v[WF_TO
     read_part(n->an, n->part, low, ends[0]);
     read_part(n->an, n->part, high, ends[1]);
     if (n->still) read_part(n->an, n->part, n->still, rest);
-    for (int k = 0; k < WF_TOTALS; k++) {
+    for (int k = 0; k < most; k++) {
         const struct ends q = { { ends[0][k], ends[1][k] },
                                 { low->slope[k] * s.per[0], high->slope[k] * s.per[1] },
                                 rest[k] };
@@ -310,7 +312,7 @@ static double error_by_node(const struct sloped *c, size_t i, size_t k)
     double low = log(c->node[k - 1]->at.speed), middle = log(c->node[k]->at.speed),
            high = log(c->node[k + 1]->at.speed), wide = log(c->node[i + 1]->at.speed / c->node[i]->at.speed);
     const struct between n = between(c, k - 1, k + 1);
-    totals_between(&n, c->node[k]->at.speed, v, other);
+    totals_between(&n, c->node[k]->at.speed, DRAWN, v, other);
     read_part(c->an, c->part, c->node[k], at);
     return totals_apart(at, v, c->size) * wide * (high - low) / (4.0 * (middle - low) * (high - middle));
 }
@@ -328,7 +330,7 @@ static bool drawn_between(const struct sloped *c, size_t i)
         return false;
     for (int k = 1; k < 4; k++) {
         double speed = low->at.speed + 0.25 * k * (high->at.speed - low->at.speed);
-        totals_between(&n, speed, v, other);
+        totals_between(&n, speed, DRAWN, v, other);
         if (!(totals_apart(v, other, c->size) <= apart_most)) return false;
     }
     return true;
@@ -387,7 +389,7 @@ static enum wf_status totals_of(const struct sloped *c, double speed, double v[W
     if (state_at(c, i)->at.status) return state_at(c, i)->at.status;
     if (low->at.speed < speed && positive(c, i + 1)) {
         const struct between n = between(c, i, i + 1);
-        totals_between(&n, speed, v, other);
+        totals_between(&n, speed, WF_TOTALS, v, other);
         return WF_OK;
     }
     /* a row that was left out, because this node is close below it */
