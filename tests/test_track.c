@@ -2,6 +2,7 @@
 /* Solutions one after another: the same answers as the beam solver, and derivatives by the wind speed. */
 #include "beam_cases.h"
 #include "solve/beam.h"
+#include "solve/beam_many.h"
 #include "solve/track.h"
 
 enum { STEM = 6, BRANCHES = 10, ROWS = STEM + 2 * BRANCHES };
@@ -212,21 +213,27 @@ static void tree_of_short_rows(struct beam_case *c)
 }
 
 /* Largest difference of the ends' displacements from those on a much finer mesh, over the largest. */
-static double off_finest(struct beam_case *c, const struct wf_beam *b)
+static double off_finest_response(struct beam_case *c, const struct wf_loads *l,
+                                  const struct wf_response *own)
 {
-    struct wf_response own, finest;
+    struct wf_response finest;
     struct wf_solve_options fine = c->options;
     double off = 0, size = 0;
     fine.mesh_tolerance = 1e-9;
-    assert_int_equal(wf_response_alloc(&own, c->tree.n, &c->arena, &c->err), WF_OK);
-    wf_beam_read(b, &own);
-    assert_int_equal(wf_solver_beam.solve(&c->tree, &c->loads, &fine, &c->arena, &finest, NULL, &c->err),
-                     WF_OK);
+    assert_int_equal(wf_solver_beam.solve(&c->tree, l, &fine, &c->arena, &finest, NULL, &c->err), WF_OK);
     for (size_t i = 0; i < 3 * c->tree.n; i++) {
-        off = fmax(off, fabs(own.end[i] - finest.end[i]));
+        off = fmax(off, fabs(own->end[i] - finest.end[i]));
         size = fmax(size, fabs(finest.end[i]));
     }
     return off / size;
+}
+
+static double off_finest(struct beam_case *c, const struct wf_beam *b)
+{
+    struct wf_response own;
+    assert_int_equal(wf_response_alloc(&own, c->tree.n, &c->arena, &c->err), WF_OK);
+    wf_beam_read(b, &own);
+    return off_finest_response(c, &c->loads, &own);
 }
 
 /* One comparison of two meshes leaves one of few elements, which is taken in winds in which it is good by
@@ -267,12 +274,95 @@ static void few_elements(void **state)
     beam_free(&c);
 }
 
+/* The same side by side, in wind from all around; where the mesh is not good for one state it is for none. */
+static void few_elements_side_by_side(void **state)
+{
+    (void)state;
+    enum { N = 6 };
+    struct beam_case c;
+    struct wf_beam_few few = { .pieces = NULL };
+    const struct wf_beam_known known = { .few = &few };
+    struct wf_beam first;
+    struct wf_beam_outcome out;
+    struct wf_wind wind[N];
+    struct wf_loads loads[N];
+    struct wf_beam_state at[N];
+    tree_of_short_rows(&c);
+    beam_blow(&c, 14, 0, 0);
+    assert_int_equal(
+        wf_beam_solve(&c.tree, &c.loads, &c.options, &known, &c.arena, &c.arena, &first, &out, &c.err),
+        WF_OK);
+    const struct wf_beam_few before = few;
+    for (int strong = 0; strong < 2; strong++) {
+        for (size_t k = 0; k < N; k++) {
+            wind[k] = c.wind, loads[k] = c.loads;
+            wind[k].direction[0] = cos((double)k), wind[k].direction[1] = sin((double)k);
+            wind[k].speed = strong && k == 3 ? 30 : 13;
+            loads[k].wind = &wind[k];
+            at[k] = (struct wf_beam_state){ .loads = &loads[k] };
+        }
+        assert_int_equal(wf_beam_many(&c.tree, at, N, &c.options, &few, &c.arena, NULL, &c.err), WF_OK);
+        for (size_t k = 0; k < N; k++) {
+            assert_int_equal(at[k].status, WF_OK);
+            assert_false(at[k].alone);
+            assert_true(off_finest_response(&c, &loads[k], &at[k].response) < 1e-6);
+        }
+    }
+    assert_memory_equal(&few.goods, &before.goods, sizeof few.goods);
+    wf_arena_free(&few.memory);
+    beam_free(&c);
+}
+
+/* A state may begin in the shape of one in a near wind, and one of the track under a gust's load in that of
+ * the wind in which the load is as large. */
+static void begun_in_near_shapes(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_track *mean, *peak;
+    struct wf_tracked r;
+    struct wf_beam own, begun;
+    struct wf_beam_outcome out;
+    const double gusts = 1.5; /* root of the factor of the load */
+    young_tree(&c);
+    struct wf_solve_options quick = c.options; /* keeps several solutions */
+    quick.mesh_tolerance = 1e-3;
+    assert_int_equal(wf_track_open(&c.tree, &quick, NULL, &mean, &c.err), WF_OK);
+    assert_null(wf_track_near(mean, 10));
+    assert_int_equal(at_speed(&c, mean, 10, 0, &r), WF_OK);
+    assert_int_equal(at_speed(&c, mean, 25, 0, &r), WF_OK);
+    assert_null(wf_track_near(mean, 40));
+
+    beam_blow(&c, 26, 0, 0);
+    const struct wf_beam_known near = { .soon = wf_track_near(mean, 26) };
+    assert_non_null(near.soon);
+    assert_int_equal(
+        wf_beam_solve(&c.tree, &c.loads, &c.options, NULL, &c.arena, &c.arena, &own, &out, &c.err), WF_OK);
+    assert_int_equal(
+        wf_beam_solve(&c.tree, &c.loads, &c.options, &near, &c.arena, &c.arena, &begun, &out, &c.err), WF_OK);
+    printf("iterations %zu, unloaded %zu\n", begun.iterations, own.iterations);
+    assert_true(begun.iterations < own.iterations);
+    assert_true(off_finest(&c, &begun) < 1e-6);
+
+    assert_int_equal(wf_track_open(&c.tree, &c.options, NULL, &peak, &c.err), WF_OK);
+    beam_blow(&c, 25 / gusts, 0, 0);
+    c.loads.wind_scale = gusts * gusts;
+    const struct wf_track_start start = { .paced = mean };
+    assert_int_equal(wf_track_solve(peak, &c.loads, NULL, &start, &c.arena, &r, &c.err), WF_OK);
+    assert_true(off_finest_response(&c, &c.loads, &r.at) < 1e-6);
+    wf_track_close(peak);
+    wf_track_close(mean);
+    beam_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(same_answers_in_any_order),
                                         cmocka_unit_test(rods_in_any_order),
                                         cmocka_unit_test(slopes_are_derivatives),
                                         cmocka_unit_test(tip_of_a_coarse_mesh),
-                                        cmocka_unit_test(few_elements) };
+                                        cmocka_unit_test(few_elements),
+                                        cmocka_unit_test(few_elements_side_by_side),
+                                        cmocka_unit_test(begun_in_near_shapes) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
