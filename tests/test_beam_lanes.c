@@ -50,7 +50,7 @@ static void solve(struct many *m, size_t n)
 static void solve_one(struct many *m, size_t k, struct wf_response *r)
 {
     struct wf_err e = { 0 };
-    if (wf_solver_beam.solve(&m->c.tree, &m->loads[k], &m->c.options, NULL, &m->c.arena, r, &m->c.diag, &e))
+    if (wf_solver_beam.solve(&m->c.tree, &m->loads[k], &m->c.options, &m->c.arena, r, &m->c.diag, &e))
         fail_msg("%s", e.text);
 }
 

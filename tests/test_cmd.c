@@ -128,6 +128,21 @@ static void test_counts(void **state)
 }
 
 /* Every command records its command line with quotes where a shell needs them: pasted, it runs again. */
+/* Steps of a search that are solved by several threads share nothing: the same bytes, every time. */
+static void test_threads(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "A='analyze oak --model culm --wind 10 --ice 60mm --samples 0 --no-report -q'; cd $T; $W $A "
+          "--threads 1 -o one || exit 1; for i in 1 2 3 4 5 6 7 8; do $W $A --threads 8 -o many || exit 1; "
+          "for f in summary segments sweep; do cmp one/tables/$f.csv many/tables/$f.csv || exit 1; done; "
+          "done",
+          CODE_OK,
+          { NULL } },
+    };
+    CHECK(rows);
+}
+
 static void test_recorded_line(void **state)
 {
     (void)state;
@@ -335,13 +350,15 @@ static void test_output(void **state)
     assert_string_equal(output, "");
 }
 
-/* The crown's top is the highest point of tables/shape.csv, and moves as far as it does there; the page names it where a branch reaches
- * above the stem, and not where none does. $1: columns 1 tree, 3 wind, 8 z, 11 loaded z. */
+/* The crown's top is the highest point of tables/shape.csv, and moves as far as it does there; the page names
+ * it where a branch reaches above the stem, and not where none does. $1: columns 1 tree, 3 wind, 8 z, 11
+ * loaded z. */
 #define MOVED                                                                                                \
     "awk -F, 'FNR == 1 { n++; for (i = 1; i <= NF; i++) c[n, $i] = i; next } "                               \
-    "n == 1 && (!($3 in z) || $8 > z[$3]) { z[$3] = $8; m[$3] = sqrt(($9-$6)^2 + ($10-$7)^2 + ($11-$8)^2) } " \
-    "n == 2 && (a = $c[2, \"top_deflection_m\"] / m[$3] - 1)^2 < 1e-14 && $c[2, \"top_height_m\"] == z[$3] "  \
-    "{ same++; more += a = $c[2, \"top_deflection_m\"] > 1.001 * $c[2, \"tip_deflection_m\"] } "              \
+    "n == 1 && (!($3 in z) || $8 > z[$3]) { z[$3] = $8; m[$3] = sqrt(($9-$6)^2 + ($10-$7)^2 + ($11-$8)^2) "  \
+    "} "                                                                                                     \
+    "n == 2 && (a = $c[2, \"top_deflection_m\"] / m[$3] - 1)^2 < 1e-14 && $c[2, \"top_height_m\"] == z[$3] " \
+    "{ same++; more += a = $c[2, \"top_deflection_m\"] > 1.001 * $c[2, \"tip_deflection_m\"] } "             \
     "END { print same + 0, \"same,\", more + 0, \"more than the tip\" }' "                                   \
     "$T/out/tables/shape.csv $T/out/tables/summary.csv; "
 
@@ -349,7 +366,8 @@ static void test_top(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "$W analyze scots_pine --model scots_pine --soil mineral --wind 8,16 --samples 0 --no-pdf -o $T/out "
+        { "$W analyze scots_pine --model scots_pine --soil mineral --wind 8,16 --samples 0 --no-pdf -o "
+          "$T/out "
           "2>$T/said; " MOVED "grep -c -e 'The top of its crown, 17.0 m high on a' $T/out/report.html",
           CODE_OK,
           { "the crown's top, 17.01 m high on a", "2 same, 2 more than the tip", "\n1\n" } },
@@ -383,7 +401,7 @@ int main(void)
         cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),          cmocka_unit_test(test_bad_files),
         cmocka_unit_test(test_output), cmocka_unit_test(test_library),       cmocka_unit_test(test_study),
         cmocka_unit_test(test_counts), cmocka_unit_test(test_recorded_line), cmocka_unit_test(test_series),
-        cmocka_unit_test(test_top),
+        cmocka_unit_test(test_top),    cmocka_unit_test(test_threads),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -353,7 +353,7 @@ static const char *by_template(const struct wf_tongue *t, const char *text, stru
 static const char *inner(const struct wf_tongue *t, const char *template, size_t k, const char *arg,
                          struct wf_arena *a)
 {
-    char quoted[16];
+    char quoted[32];
     (void)snprintf(quoted, sizeof quoted, "'{%zu}'", k);
     bool words = strchr(arg, ' ') != NULL;
     if (strstr(template, quoted) || (!words && !isupper((unsigned char)*arg))) return arg;

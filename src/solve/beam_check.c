@@ -217,19 +217,29 @@ static double choose_by_shape(const struct wf_beam *from, const struct wf_beam *
     return worst;
 }
 
-/* Cut the rows that cause most of the error of the loads until no more is left than allowed. Given: in
- * c->rest the rows' errors. Returned: in c->left what is left. */
+static double count(const int32_t *pieces, size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) sum += pieces[i];
+    return sum;
+}
+
+/* Cut the rows that cause most of the error of the loads until no more is left than allowed, or there are
+ * `growth` times as many elements of a mesh that is not small: where rows bend far, most of what their loads
+ * differ by is gone once their shapes are right, which the next comparison shows. Given: in c->rest the rows'
+ * errors. Returned: in c->left what is left. */
 static void choose_by_loads(const struct wf_beam *from, struct wf_beam_check *c, double allowed,
                             int32_t *pieces)
 {
     enum { PASSES = 32 };
-    const double longer = 1.5, many = 0.2, times = 256;
+    const double longer = 1.5, many = 0.2, times = 256, growth = 1.25, small = 4096;
     const size_t n = from->mesh.tree->n;
+    const double limit = fmax(growth * count(pieces, n), small);
     for (int k = 0;; k++) {
         double most = 0;
         c->left = 0;
         for (size_t i = 0; i < n; i++) most = fmax(most, c->rest[i]), c->left += c->rest[i];
-        if (!(c->left > allowed) || k == PASSES) return;
+        if (!(c->left > allowed) || k == PASSES || count(pieces, n) > limit) return;
         for (size_t i = 0; i < n; i++) {
             if (!(c->rest[i] > many * most)) continue;
             const int32_t had = pieces[i];
@@ -249,7 +259,7 @@ static double choose_pieces(const struct wf_beam *from, const struct wf_beam *so
 {
     const double wider = 1.25;
     const size_t n = from->mesh.tree->n;
-    double elements = 0, each = target / c->depth;
+    double each = target / c->depth;
     for (size_t i = 0; i < n; i++) c->root[i] = sqrt(sqrt(c->share[i]));
     while (least && each < target && choose_by_shape(from, solved, c, wider * each, pieces) <= target)
         each *= wider;
@@ -259,8 +269,7 @@ static double choose_pieces(const struct wf_beam *from, const struct wf_beam *so
         c->rest[i] = c->bear[i] * pow(had / pieces[i], pieces[i] > had ? 4 : load_order);
     }
     choose_by_loads(from, c, allowed, pieces);
-    for (size_t i = 0; i < n; i++) elements += pieces[i];
-    return elements;
+    return count(pieces, n);
 }
 
 enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, struct wf_beam_check *c,

@@ -428,6 +428,18 @@ static void move_on(struct wf_track *k, const struct wf_station *s, double to)
     wf_form_add(&k->beam, wf_form_of(&k->beam), -part, *below);
 }
 
+/* The solution from which the speed is approached where Newton's method fails from the present unknowns: the
+ * nearest, if there is one, else these. Returned: its wind speed. */
+static double leave_last(struct wf_track *k, const struct wf_station *nearest, double to)
+{
+    if (!nearest) {
+        keep(k, k->last);
+        return to;
+    }
+    wf_form_copy(&k->beam, k->last, nearest->at);
+    return nearest->speed;
+}
+
 /* Put the unknowns where Newton's method is to start: between solutions on both sides, or at the nearest
  * solution, moved along its derivative where it is near. The shape moves with the power 1.5 of the speed,
  * between stiff trees (2) and streamlined ones. Returned: the wind speed of k->last, which it starts from. */
@@ -439,8 +451,7 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
     bool close = wf_stations_near(&k->stations, to, WF_TRACK_NEAR);
     if (start->from && between) {
         wf_beam_carry(start->from, &k->beam);
-        keep(k, k->last);
-        return to;
+        return leave_last(k, s, to);
     }
     const double apart = s && to > 0 ? wf_speeds_apart(s->speed, to) : (double)INFINITY;
     if (start->other && recall(start->other, to, beside, close ? apart : (double)INFINITY)) {
@@ -450,8 +461,7 @@ static double put_start(struct wf_track *k, const struct wf_loads *l, const stru
     }
     if (start->paced && between && recall(start->paced, pace_on(start->paced, l), alike, apart)) {
         wf_beam_carry(&start->paced->beam, &k->beam);
-        keep(k, k->last);
-        return to;
+        return leave_last(k, s, to);
     }
     wf_stations_beside(&k->stations, to, around);
     k->beam.close = (around[0] && around[1]) || (wf_stations_near(&k->stations, to, 1.05) && s->led);

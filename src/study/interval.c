@@ -79,8 +79,8 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
     return WF_OK;
 }
 
-/* The criterion that is nearest to its limit, and its utilisation. Given: the loss of the tree alone, or also
- * what practice wants more than 1 of? */
+/* The criterion that is nearest to its limit, of alike ones the first, and the largest utilisation. Given:
+ * the loss of the tree alone, or also what practice wants more than 1 of? */
 static enum wf_criterion_id nearest_of(const struct wf_at_speed *at, bool wanted, double *utilisation)
 {
     enum wf_criterion_id by = WF_BREAKAGE;
@@ -89,7 +89,9 @@ static enum wf_criterion_id nearest_of(const struct wf_at_speed *at, bool wanted
         const struct wf_criterion *x = &wf_criteria[c];
         double own = 1.0 / at->worst[c][WF_SCOPE_STEM].safety;
         bool counts = x->loses_tree || (wanted && x->required > 0.0);
-        if (counts && own > *utilisation) *utilisation = own, by = (enum wf_criterion_id)c;
+        if (!counts) continue;
+        if (own > (1 + WF_VERDICT_SAME) * *utilisation) by = (enum wf_criterion_id)c;
+        *utilisation = fmax(*utilisation, own);
     }
     return by;
 }

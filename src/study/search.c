@@ -225,7 +225,6 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
             else
                 b->speed[n++] = speed;
         }
-        if (n) wf_sway_reach(q->an, b->speed[n - 1]);
         enum wf_status s = wf_parallel(n, threads, rung, b, e);
         if (s) {
             wf_arena_free(&scratch);
@@ -313,6 +312,7 @@ static enum wf_status search_by_steps(struct search *q, const struct wf_solve_op
     struct wf_critical *c = &q->out->critical;
     struct wf_at_speed at;
     q->o = quick;
+    wf_sway_reach(q->an, INFINITY); /* how far the steps go depends on the number of threads */
     enum wf_status s = crossing_by_steps(q, e);
     if (s || !wf_verdict_reached(c)) return s;
     const struct wf_worst *worst = &at.worst[q->criterion][q->scope];

@@ -260,7 +260,8 @@ static const struct wf_node_state *state_at(const struct sloped *c, size_t i)
     return &c->node[i]->state[c->part];
 }
 
-/* All nodes that are there; of two that are close, that of the finer mesh. */
+/* All nodes that were asked for (how many were not depends on the number of threads); of two that are close,
+ * that of the finer mesh. */
 static void order_nodes(struct sloped *c)
 {
     size_t all = wf_nodes_count(c->nodes), n = 0;
@@ -268,7 +269,7 @@ static void order_nodes(struct sloped *c)
     for (size_t k = 0; k < all; k++) {
         const struct wf_node *node = wf_nodes_at(c->nodes, k);
         const struct wf_node_state *s = &node->state[c->part];
-        if (s->known && (s->sloped || s->at.status)) c->node[n++] = node;
+        if (node->used && s->known && (s->sloped || s->at.status)) c->node[n++] = node;
     }
     qsort(c->node, n, sizeof(c->node[0]), compare_nodes);
     for (size_t k = 0; k < n; k++) {
@@ -359,7 +360,7 @@ static enum wf_status refine_sloped(struct sloped *c, const struct wf_solve_opti
             if (row < 0 || an->sweep[row].speed >= lost || drawn_between(c, i)) continue;
             /* a row that was solved and left out, because another node is close, brings nothing new */
             node = wf_nodes_find(c->nodes, an->sweep[row].speed, o->mesh_tolerance);
-            if (!node || !node->state[c->part].known) pick[picked++] = an->sweep[row].speed;
+            if (!node || !node->used || !node->state[c->part].known) pick[picked++] = an->sweep[row].speed;
         }
         if (!picked) return WF_OK;
     }

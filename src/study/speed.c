@@ -316,6 +316,7 @@ struct wf_given {
     double speed; /* of the states [m/s] */
     struct kept state[WF_PARTS];
     const struct kept *last; /* of them, while the speed is solved; NULL: none is yet */
+    bool parallel;           /* other threads solve at the same time: what they share is not touched */
     struct wf_beam_few few;  /* a mesh for further states */
 };
 
@@ -388,9 +389,11 @@ static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_s
     enum wf_status s = wf_response_alloc(r, an->tree.n, a, e);
     if (!s) s = wf_solve_check(&an->tree, l, d, e);
     if (s) return s;
+    const bool begun = !g->parallel && part != WF_PART_BRANCHES;
+    const struct wf_beam *soon = begun ? mean_state(an, g->speed) : NULL;
     const struct wf_beam_known known = { .near = g->last ? &g->last->beam : NULL,
                                          .good = g->last ? &g->last->beam.mesh : NULL,
-                                         .soon = part == WF_PART_BRANCHES ? NULL : mean_state(an, g->speed),
+                                         .soon = soon,
                                          .few = &g->few };
     s = wf_beam_solve(&an->tree, l, o, &known, &now->memory, &newton, &now->beam, &how, e);
     r->load_factor = how.load_factor;
@@ -498,7 +501,7 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
     struct wf_arena scratch = { 0 };
     struct wf_diag quiet = { .arena = &scratch };
     struct wf_at_speed mean, branches;
-    struct wf_given now = { .speed = speed };
+    struct wf_given now = { .speed = speed, .parallel = !given };
     const bool gusts = wf_peak_differs(an->peak);
     if (given) now.few = given->few;
     /* the mean wind last: a mesh that is good in more wind is good in it */
