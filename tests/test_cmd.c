@@ -133,10 +133,10 @@ static void test_threads(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "A='analyze oak --model culm --wind 10 --ice 60mm --samples 0 --no-report -q'; cd $T; $W $A "
-          "--threads 1 -o one || exit 1; for i in 1 2 3 4 5 6 7 8; do $W $A --threads 8 -o many || exit 1; "
-          "for f in summary segments sweep; do cmp one/tables/$f.csv many/tables/$f.csv || exit 1; done; "
-          "done",
+        { "A='analyze oak --model culm --wind 10 --ice 60mm --samples 0 --no-report -q'; $W $A --threads 1 "
+          "-o "
+          "$T/one || exit 1; for i in 1 2 3 4 5 6 7 8; do $W $A --threads 8 -o $T/many || exit 1; for f in "
+          "summary segments sweep; do cmp $T/one/tables/$f.csv $T/many/tables/$f.csv || exit 1; done; done",
           CODE_OK,
           { NULL } },
     };
