@@ -167,10 +167,7 @@ static enum wf_status settle_soon(struct wf_beam *b, const struct wf_beam *soon,
 {
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
     if (soon && rests_beside(b, soon, SOON, NULL)) return WF_OK;
-    if (soon) {
-        memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
-        memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
-    }
+    if (soon) wf_beam_unbend(b);
     return settle_near(b, near, newton, out, e);
 }
 
@@ -245,6 +242,11 @@ static enum wf_status solve_finer(const struct wf_beam *b, const int32_t *pieces
     return s;
 }
 
+bool wf_beam_few_good(const struct wf_beam_few *few, const struct wf_loads *l, double tolerance)
+{
+    return few && few->pieces && wf_beam_good_by_far(&few->goods, l, tolerance);
+}
+
 /* Note the mesh of few more elements than the coarse one that is expected to be good. */
 static enum wf_status keep_few(const struct wf_beam *coarse, const struct wf_beam *fine,
                                struct wf_beam_check *check, struct wf_beam_few *few, struct wf_err *e)
@@ -284,8 +286,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     struct wf_beam_few *few = known->from ? NULL : known->few;
-    if (few && few->pieces && wf_beam_good_by_far(&few->goods, l, o->mesh_tolerance))
-        return solve_on_few(t, l, o, known, m, b, out, e);
+    if (wf_beam_few_good(few, l, o->mesh_tolerance)) return solve_on_few(t, l, o, known, m, b, out, e);
     struct wf_solve_options compared = *o; /* this mesh's solution is not the answer */
     compared.tolerance = fmax(o->tolerance, 0.01 * o->mesh_tolerance);
     enum wf_status status = solve_first(t, l, &compared, known, m, pieces, b, out, e);

@@ -18,6 +18,8 @@ struct wf_beam_few {
     int32_t *pieces;        /* per row; NULL: there is none */
     struct wf_beam_goods goods, first;
 };
+/* Is that mesh, if there is one (few: NULL, none), good by far at these loads? */
+bool wf_beam_few_good(const struct wf_beam_few *few, const struct wf_loads *l, double tolerance);
 /* What is known of the same tree at other loads; each may be NULL. */
 struct wf_beam_known {
     const struct wf_beam *from;      /* a solution whose mesh and shape are begun with; else the first mesh,

@@ -48,6 +48,12 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
     }
 }
 
+void wf_beam_unbend(struct wf_beam *b)
+{
+    memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
+    memset(b->tilt, 0, b->feet * sizeof *b->tilt);
+}
+
 bool wf_beam_unmoved(const struct wf_beam *b)
 {
     const double slight = 1e-9; /* [rad] */

@@ -7,6 +7,8 @@
 
 /* Start shape of `fine` (same tree, another mesh) from the solved shape of `coarse`. */
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine);
+/* The unloaded shape. */
+void wf_beam_unbend(struct wf_beam *b);
 /* Does the tree stand in its given shape? Every mesh has that solution. */
 bool wf_beam_unmoved(const struct wf_beam *b);
 /* Comparison of solutions on a mesh and on a finer one, row by row. */

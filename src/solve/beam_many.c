@@ -232,14 +232,7 @@ static enum wf_status next_level(struct block *b, const int32_t *pieces, struct 
     return s;
 }
 
-/* Is a mesh of few elements good by far at these loads? */
-static bool few_are_good(const struct wf_beam_few *few, const struct wf_loads *l,
-                         const struct wf_solve_options *o)
-{
-    return few && few->pieces && wf_beam_good_by_far(&few->goods, l, o->mesh_tolerance);
-}
-
-/* The states on that mesh. */
+/* The states on the mesh of few elements. */
 static enum wf_status settle_on_few(struct block *b, struct wf_err *e)
 {
     enum wf_status s = make_level(b, b->few->pieces, &b->level[1], e);
@@ -259,7 +252,8 @@ static enum wf_status settle_block(struct block *b, struct wf_err *e)
     wf_beam_first_pieces(t, b->options, pieces);
     for (size_t k = 0; k < b->n; k++) b->wanted[k] = true;
     bool few = true;
-    for (size_t k = 0; k < b->n; k++) few = few && few_are_good(b->few, b->state[k].loads, b->options);
+    for (size_t k = 0; k < b->n; k++)
+        few = few && wf_beam_few_good(b->few, b->state[k].loads, b->options->mesh_tolerance);
     if (few) return settle_on_few(b, e);
     enum wf_status s = make_level(b, pieces, &b->level[1], e);
     if (s) return s;
@@ -302,7 +296,7 @@ static void solve_alone(const struct wf_tree *t, const struct wf_solve_options *
     struct wf_arena work = { 0 };
     struct wf_beam b;
     struct wf_beam_outcome out = { .load_factor = 0 };
-    const bool good = few_are_good(few, x->loads, o); /* then it is not changed */
+    const bool good = wf_beam_few_good(few, x->loads, o->mesh_tolerance); /* then it is not changed */
     struct wf_beam_few mesh = good ? *few : (struct wf_beam_few){ .pieces = NULL };
     const struct wf_beam_known known = { .few = good ? &mesh : NULL };
     x->status = wf_beam_solve(t, x->loads, o, &known, &work, &work, &b, &out, &x->why);

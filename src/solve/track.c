@@ -305,7 +305,7 @@ static bool stays_good(const struct wf_track *k, const struct wf_loads *l, const
 /* Is the mesh of few elements good at these loads? */
 static bool few_are_good(const struct wf_track *k, const struct wf_loads *l)
 {
-    return k->few && k->few->pieces && wf_beam_good_by_far(&k->few->goods, l, k->options.mesh_tolerance);
+    return wf_beam_few_good(k->few, l, k->options.mesh_tolerance);
 }
 
 /* A solution on that mesh, or on the mesh of another track, whose shape is near, if it meets the tolerance;
@@ -361,16 +361,10 @@ static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct w
     return wf_beam_rests_soon(&k->beam, scratch);
 }
 
-static void forget_shape(struct wf_track *k)
-{
-    memset(k->beam.shape, 0, k->beam.mesh.n * sizeof *k->beam.shape);
-    memset(k->beam.tilt, 0, k->beam.feet * sizeof *k->beam.tilt);
-}
-
 /* As the beam solver begins. */
 static bool start_anew(struct wf_track *k, const struct wf_loads *l)
 {
-    forget_shape(k);
+    wf_beam_unbend(&k->beam);
     take_loads(k, l);
     return wf_beam_rests(&k->beam);
 }
@@ -518,7 +512,7 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     b->iterations = b->steps = 0;
     k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
     if (!comes_to_rest(k, l, &scratch) && !approach(k, l, from, &scratch) && !start_anew(k, l)) {
-        forget_shape(k);
+        wf_beam_unbend(b);
         b->options = &k->options;
         b->loads = *l;
         s = wf_beam_settle(b, &scratch, &k->outcome, e);

@@ -53,7 +53,6 @@ static enum wf_status search_totals(const struct search *q, double speed, struct
         return WF_OK;
     }
     enum wf_status s = wf_nodes_ready(q->nodes, e);
-    wf_sway_reach(q->an, speed);
     if (!s) s = wf_speed_totals(q->an, q->o, speed, at, e);
     if (!s) wf_nodes_add(q->nodes, q->o->mesh_tolerance, true, at);
     return s;

@@ -412,23 +412,28 @@ enum wf_status wf_sway_begin(struct wf_analysis *an, const struct wf_solve_optio
     return begin_search(an, o, NULL, speeds, n, a, d, e);
 }
 
-enum wf_status wf_sway_turned(struct wf_analysis *an, const struct wf_peak *first,
-                              const struct wf_solve_options *o, const double *speeds, size_t n,
-                              struct wf_arena *a, struct wf_err *e)
+/* All sways at once. like: as for wf_track_open. */
+static enum wf_status set_up(struct wf_analysis *an, const struct wf_solve_options *o,
+                             const struct wf_track *like, const double *speeds, size_t n, struct wf_arena *a,
+                             struct wf_diag *d, struct wf_err *e)
 {
-    enum wf_status s = begin_search(an, o, first->about, speeds, n, a, NULL, e);
+    enum wf_status s = begin_search(an, o, like, speeds, n, a, d, e);
     if (!s) s = reach_all(an, INFINITY, e);
     wf_sway_end(an);
     return s;
 }
 
+enum wf_status wf_sway_turned(struct wf_analysis *an, const struct wf_peak *first,
+                              const struct wf_solve_options *o, const double *speeds, size_t n,
+                              struct wf_arena *a, struct wf_err *e)
+{
+    return set_up(an, o, first->about, speeds, n, a, NULL, e);
+}
+
 enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    enum wf_status s = wf_sway_begin(an, o, speeds, n, a, d, e);
-    if (!s) s = reach_all(an, INFINITY, e);
-    wf_sway_end(an);
-    return s;
+    return set_up(an, o, NULL, speeds, n, a, d, e);
 }
 
 enum wf_status wf_sway_complete(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
