@@ -2,6 +2,7 @@
 #include "load/load.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/section.h"
 #include "data/species.h"
 #include "load/drag.h"
 
@@ -110,13 +111,12 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
 
 struct wf_line_point wf_line_point_of(const struct wf_tree *t, size_t i, double s)
 {
-    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
-    double wood = t->density[i] * WF_PI * (outer * outer - inner * inner);
+    double outer = wf_between(t->r0[i], t->r1[i], s);
     return (struct wf_line_point){
         .diameter = 2.0 * outer,
         .drag = t->drag[i],
         .lift = t->lift[i],
         .sail = wf_between(t->sail0[i], t->sail1[i], s),
-        .mass = wood + wf_between(t->burden0[i], t->burden1[i], s),
+        .mass = t->density[i] * wf_tree_area(t, i, s) + wf_between(t->burden0[i], t->burden1[i], s),
     };
 }

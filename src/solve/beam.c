@@ -223,7 +223,6 @@ static enum wf_status solve_finer(const struct wf_beam *b, const int32_t *pieces
                                   struct two_meshes *m, struct wf_beam_check *check, struct wf_beam *fine,
                                   struct wf_beam_outcome *out, struct wf_err *e)
 {
-    struct wf_arena begun = { 0 };
     wf_arena_free(&m->newton);
     wf_arena_free(&m->before);
     m->before = m->shape;
@@ -231,14 +230,9 @@ static enum wf_status solve_finer(const struct wf_beam *b, const int32_t *pieces
     enum wf_status s = wf_beam_init(fine, b->mesh.tree, &b->loads, o, pieces, &m->shape, &m->newton, e);
     if (s) return s;
     wf_beam_carry(b, fine);
-    double(*at)[2][3] = wf_arena_take_unset(&begun, fine->mesh.n, sizeof *at);
-    fine->begun = at;
-    s = at ? settle_near(fine, known->near, &m->newton, out, e)
-           : wf_fail(e, WF_ENOMEM, "not enough memory for the loads of %zu beam elements", fine->mesh.n);
-    if (!s) wf_beam_row_loads(&fine->mesh, (const double(*)[2][3])at, check->begun);
+    s = settle_near(fine, known->near, &m->newton, out, e);
     if (!s) wf_beam_row_loads(&fine->mesh, (const double(*)[2][3])fine->load, check->load);
     fine->iterations += b->iterations, fine->steps += b->steps;
-    wf_arena_free(&begun);
     return s;
 }
 

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_check.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
 #include "solve/beam_ends.h"
+#include "solve/beam_lanes.h"
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -11,17 +14,16 @@
 /* Rotation from the unloaded to the loaded state at fraction s (0..1) of a row. */
 static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
 {
-    int32_t from = b->mesh.first[row], cut = b->mesh.last[row] - from + 1;
-    int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
-    double x = s * cut - k, v[3], R[9];
-    const struct wf_beam_shape *u = &b->shape[from + k];
+    double x, v[3], R[9];
+    const int32_t at = b->mesh.first[row] + wf_beam_piece_at(&b->mesh, row, s, &x);
+    const struct wf_beam_shape *u = &b->shape[at];
     /* the quadratic through 0 at the base and the two Gauss points */
     double a = x * (x - gauss_place[1]) / (gauss_place[0] * (gauss_place[0] - gauss_place[1]));
     double c = x * (x - gauss_place[0]) / (gauss_place[1] * (gauss_place[1] - gauss_place[0]));
     for (int i = 0; i < 3; i++) v[i] = a * u->v[0][i] + c * u->v[1][i];
     struct wf_beam_pose ground;
     rotation_matrix(v, R);
-    m3_mul(wf_beam_base(b, (size_t)(from + k), &ground)->L, R, L);
+    m3_mul(wf_beam_base(b, (size_t)at, &ground)->L, R, L);
 }
 
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
@@ -30,7 +32,7 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
     wf_beam_links_carry(coarse, fine);
     for (size_t i = 0; i < fine->mesh.tree->n; i++) {
         int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
-        const bool same = wf_beam_pieces(&coarse->mesh, i) == cut;
+        const bool same = wf_beam_pieces(&coarse->mesh, i) == cut && coarse->mesh.graded == fine->mesh.graded;
         for (int32_t k = 0; k < cut; k++) {
             double base[9], at[9], R[9];
             if (same) {
@@ -38,9 +40,11 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
                        sizeof fine->shape->v);
                 continue;
             }
-            beam_rotation_at(coarse, i, (double)k / cut, base);
+            const double s0 = wf_beam_cut(&fine->mesh, i, k, cut),
+                         s1 = wf_beam_cut(&fine->mesh, i, k + 1, cut);
+            beam_rotation_at(coarse, i, s0, base);
             for (int j = 0; j < 2; j++) {
-                beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
+                beam_rotation_at(coarse, i, wf_between(s0, s1, gauss_place[j]), at);
                 m3_mul_transposed(base, at, R);
                 rotation_vector(R, fine->shape[from + k].v[j]);
             }
@@ -93,6 +97,9 @@ static void tree_reach(const struct wf_tree *t, double *reach)
     }
 }
 
+/* The error of positions falls with this power of the piece length, and so does that of smooth loads. */
+static const double smooth_order = 4;
+
 /* Estimated error of position at the worst node [m], from solutions on a mesh and a finer one of the same
  * tree. Each row's own contribution (its end relative to its base) falls with the fourth power of the piece
  * length; its error of rotation moves everything beyond it, up to `reach` away. share[n]: contribution of
@@ -105,7 +112,7 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
     for (size_t i = 0; i < t->n; i++) {
         double a[3], b[3], A[9], B[9], R[9], turn[3];
         double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i);
-        double fall = pow(kf / kc, 4) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
+        double fall = pow(kf / kc, smooth_order) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
         seen_from_base(coarse, i, a, A);
         seen_from_base(fine, i, b, B);
         m3_mul_transposed(A, B, R);
@@ -170,8 +177,8 @@ void wf_beam_row_loads(const struct wf_beam_mesh *m, const double (*at)[2][3], d
     }
 }
 
-/* The error of a row's load is assumed to fall with this power of the piece length: wind near the ground
- * grows with a low power of height, and a load with a kink inside a row converges no faster. */
+/* Where nothing else is known the error of a row's load is assumed to fall with this power of the piece
+ * length, as that of a load which grows with a low power of the way or has a kink inside the row. */
 static const double load_order = 1.3;
 
 static double distance(const double a[3], const double b[3])
@@ -180,20 +187,155 @@ static double distance(const double a[3], const double b[3])
     return sqrt(wf_dot(d, d));
 }
 
-/* Estimated error of each row's load relative to the base reaction, and their sum. The load on the fine mesh
- * differs from that on the coarse one also by the change of the shape, and in the shape carried to the fine
- * mesh also by the error within the elements: the smaller of the differences counts. */
-static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c)
+/* Position and unit tangent of the loaded axis at fraction s (0..1) of a row, whose unloaded tangent there is
+ * `still`. */
+static void axis_at(const struct wf_beam *b, size_t row, double s, const double still[3], double at[3],
+                    double tangent[3])
 {
-    double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
-    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
-        const double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i),
-                     *before = c->before + 3 * i,
-                     off = fmin(distance(c->load + 3 * i, before), distance(c->begun + 3 * i, before));
-        c->bear[i] = kf > kc && force > 0 ? off / force / (pow(kf / kc, load_order) - 1) : 0;
+    double x;
+    const int32_t piece = b->mesh.first[row] + wf_beam_piece_at(&b->mesh, row, s, &x);
+    const double *const g = gauss_place, narrow = g[1] - g[0];
+    /* lengths of the axis to x and to the end along the tangents at the Gauss points, [1]: whole */
+    const double to[2] = { (g[1] * x - 0.5 * x * x) / narrow, (0.5 * x * x - g[0] * x) / narrow };
+    const struct wf_beam_part *p = &b->mesh.part[piece];
+    const struct wf_beam_pose *end = &b->pose[piece];
+    double R[9], L[9], t[3], whole[3];
+    struct wf_beam_pose ground;
+    const struct wf_beam_pose *base = wf_beam_base(b, (size_t)piece, &ground);
+    beam_rotation_at(b, row, s, L);
+    m3_apply(L, still, tangent);
+    memcpy(at, base->r, sizeof base->r), memcpy(whole, base->r, sizeof whole);
+    for (int j = 0; j < 2; j++) {
+        rotation_matrix(b->shape[piece].v[j], R);
+        m3_mul(base->L, R, L);
+        m3_apply(L, p->t[j], t);
+        v3_add(at, p->h * to[j], t), v3_add(whole, 0.5 * p->h, t);
+    }
+    for (int c = 0; c < 3; c++) at[c] += x * (end->r[c] - whole[c]); /* what the axis is stretched by */
+}
+
+/* Points at which the loads are computed side by side, and what they add to. */
+enum { PROBES = 64 };
+struct probes {
+    const struct wf_beam *beam;
+    size_t n;
+    double at[PROBES][3], tangent[PROBES][3], dead[PROBES][3], length[PROBES];
+    struct wf_line_point line[PROBES];
+    double *load[PROBES];
+};
+
+static void add_probed(struct probes *x)
+{
+    struct wf_lanes_point point[PROBES];
+    struct wf_line_load out[PROBES];
+    for (size_t q = 0; q < x->n; q++)
+        point[q] = (struct wf_lanes_point){ x->at[q], x->tangent[q], x->dead[q], &x->line[q] };
+    if (x->n) wf_lanes_kernel(WF_LANES_MOST)->loads(&x->beam->loads, NULL, x->n, point, out, NULL);
+    for (size_t q = 0; q < x->n; q++) v3_add(x->load[q], x->length[q], out[q].force);
+    x->n = 0;
+}
+
+/* Set load[3] to the distributed load on a row as integrated over `cut` pieces [N], once all is added. */
+static void probe_row(struct probes *x, size_t row, int32_t cut, double *load)
+{
+    const struct wf_tree *t = x->beam->mesh.tree;
+    const double length = wf_tree_length(t, row), *const line = x->beam->loads.line;
+    memset(load, 0, 3 * sizeof *load);
+    for (int32_t k = 0; k < 2 * cut; k++) {
+        const double s0 = wf_beam_cut(&x->beam->mesh, row, k / 2, cut),
+                     s1 = wf_beam_cut(&x->beam->mesh, row, k / 2 + 1, cut),
+                     s = wf_between(s0, s1, gauss_place[k % 2]);
+        double still[3], drawn[3];
+        if (x->n == PROBES) add_probed(x);
+        const size_t q = x->n++;
+        wf_row_axis(t, row, s, drawn, still);
+        axis_at(x->beam, row, s, still, x->at[q], x->tangent[q]);
+        x->line[q] = wf_line_point_of(t, row, s);
+        x->length[q] = 0.5 * length * (s1 - s0), x->load[q] = load;
+        for (size_t c = 0; c < 3; c++)
+            x->dead[q][c] = line ? wf_between(line[6 * row + c], line[6 * row + 3 + c], s) : 0;
+    }
+}
+
+/* By how much finer a mesh is in a row. */
+static double finer(const struct wf_beam *coarse, const struct wf_beam *fine, size_t i)
+{
+    return (double)wf_beam_pieces(&fine->mesh, i) / wf_beam_pieces(&coarse->mesh, i);
+}
+
+/* Loads on the coarse mesh and on one twice as fine as the fine mesh, in the shape of the latter, of the rows
+ * of whose errors that are possible [N] it matters. */
+static void probe_rows(const struct wf_beam *coarse, const struct wf_beam *fine, double matters,
+                       struct wf_beam_check *c)
+{
+    const size_t n = fine->mesh.tree->n;
+    struct probes x = { .beam = fine };
+    for (size_t i = 0; i < n; i++) {
+        c->looked[i] = finer(coarse, fine, i) > 1 && c->bear[i] > matters;
+        if (c->looked[i]) probe_row(&x, i, wf_beam_pieces(&coarse->mesh, i), c->again + 3 * i);
+    }
+    add_probed(&x);
+    for (size_t i = 0; i < n; i++) {
+        if (!c->looked[i]) continue;
+        const double off = distance(c->load + 3 * i, c->again + 3 * i);
+        if (off / (pow(finer(coarse, fine, i), load_order) - 1) > matters)
+            probe_row(&x, i, 2 * wf_beam_pieces(&fine->mesh, i), c->closer + 3 * i);
+        else
+            memcpy(c->closer + 3 * i, c->load + 3 * i, 3 * sizeof *c->closer);
+    }
+    add_probed(&x);
+}
+
+/* The error of a row's integral, from the loads on the coarse mesh, on the fine mesh, r times as fine, and on
+ * one twice as fine, all in the shape of the fine mesh; they show the order too. */
+static void look_closer(double r, size_t i, struct wf_beam_check *c)
+{
+    const double part = 1 - pow(2, -load_order);
+    const double off = distance(c->load + 3 * i, c->again + 3 * i),
+                 left = distance(c->closer + 3 * i, c->load + 3 * i);
+    const double least = off / (pow(r, smooth_order) - 1), most = off / (pow(r, load_order) - 1);
+    const double order = left > 0 ? log1p(part * off / left) / log(r) : load_order;
+    c->bear[i] = left > 0 ? fmin(most, fmax(left / part, least)) : most;
+    c->order[i] = fmin(fmax(order, load_order), smooth_order);
+}
+
+/* The force to which errors of loads are relative: that of the wind; in little wind a share of all, for no
+ * load is known better than to rounding of the weight [N]. */
+static double force_of(const struct wf_beam *b)
+{
+    const double share = 0.02, *n = b->base.n;
+    return fmax(fmax(hypot(n[0], n[1]), share * sqrt(wf_dot(n, n))), DBL_MIN);
+}
+
+/* Estimated errors of the loads: of each row's integral, which stays where the row was not refined, and what
+ * the error of the shape changes of them, by which they differ on the coarse mesh. Returned: their sum;
+ * c->rough: that on the coarse mesh. */
+static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, double tolerance,
+                         struct wf_beam_check *c)
+{
+    const size_t n = fine->mesh.tree->n;
+    const double force = force_of(fine), small = 0.1, matters = force * small * tolerance / (double)n;
+    double sum = 0, moved = 0;
+    c->rough = 0;
+    for (size_t i = 0; i < n; i++) {
+        const double r = finer(coarse, fine, i), off = distance(c->load + 3 * i, c->before + 3 * i);
+        if (r > 1) c->order[i] = load_order;
+        c->bear[i] = r > 1 ? off / (pow(r, load_order) - 1) : c->bear[i] * force;
+        c->rough += off;
+    }
+    probe_rows(coarse, fine, matters, c);
+    for (size_t i = 0; i < n; i++) {
+        if (c->looked[i]) {
+            const double r = finer(coarse, fine, i), *again = c->again + 3 * i;
+            moved += distance(again, c->before + 3 * i) / (pow(r, smooth_order) - 1);
+            look_closer(r, i, c);
+        }
+        c->bear[i] /= force;
         sum += c->bear[i];
     }
-    return sum;
+    c->moved = moved / force;
+    c->rough = c->rough / force + sum;
+    return sum + c->moved;
 }
 
 /* By how much shorter pieces have to be for loads whose error is `off` times what is allowed. */
@@ -250,7 +392,7 @@ static void choose_by_loads(const struct wf_beam *from, struct wf_beam_check *c,
             if (!(c->rest[i] > many * most)) continue;
             const int32_t had = pieces[i];
             pieces[i] = pieces_within(longer * had, wf_beam_pieces(&from->mesh, i), times);
-            c->rest[i] *= pow((double)had / pieces[i], load_order);
+            c->rest[i] *= pow((double)had / pieces[i], c->order[i]);
         }
     }
 }
@@ -272,9 +414,10 @@ static double choose_pieces(const struct wf_beam *from, const struct wf_beam *so
     c->worst = choose_by_shape(from, solved, c, each, pieces);
     for (size_t i = 0; i < n; i++) {
         const double had = wf_beam_pieces(&solved->mesh, i);
-        c->rest[i] = c->bear[i] * pow(had / pieces[i], pieces[i] > had ? 4 : load_order);
+        c->rest[i] = c->bear[i] * pow(had / pieces[i], c->order[i]);
     }
     choose_by_loads(from, c, allowed, pieces);
+    if (c->place > 0) c->left += c->moved * c->worst / (c->place * c->scale);
     return count(pieces, n);
 }
 
@@ -284,12 +427,16 @@ enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, s
     *c = (struct wf_beam_check){ .reach = WF_TAKE(a, t->n, double),
                                  .share = WF_TAKE(a, t->n, double),
                                  .bear = WF_TAKE(a, t->n, double),
+                                 .order = WF_TAKE(a, t->n, double),
                                  .rest = WF_TAKE(a, t->n, double),
                                  .root = WF_TAKE(a, t->n, double),
                                  .before = WF_TAKE(a, 3 * t->n, double),
                                  .load = WF_TAKE(a, 3 * t->n, double),
-                                 .begun = WF_TAKE(a, 3 * t->n, double) };
-    if (!c->reach || !c->share || !c->bear || !c->rest || !c->root || !c->before || !c->load || !c->begun)
+                                 .again = WF_TAKE(a, 3 * t->n, double),
+                                 .closer = WF_TAKE(a, 3 * t->n, double),
+                                 .looked = WF_TAKE(a, t->n, bool) };
+    if (!c->reach || !c->share || !c->bear || !c->order || !c->rest || !c->root || !c->before || !c->load ||
+        !c->again || !c->closer || !c->looked)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     c->depth = longest_row_chain(t, c->share);
     tree_reach(t, c->reach);
@@ -333,8 +480,8 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
      * without their signs */
     const double enough = 0.5, enough_loads = 0.8, tolerance = fine->options->mesh_tolerance;
     c->scale = allowed_error(fine, tolerance) / tolerance;
+    c->loads = load_error(coarse, fine, tolerance, c);
     c->place = beam_mesh_error(coarse, fine, c->reach, c->share) / c->scale;
-    c->loads = load_error(coarse, fine, c);
     c->turn = tip_lack(coarse, fine, wf_tip_row(fine->mesh.tree));
     memcpy(c->before, c->load, 3 * fine->mesh.tree->n * sizeof *c->load);
     return c->place <= enough * tolerance && c->loads <= enough_loads * tolerance && c->turn <= 1;
@@ -345,7 +492,7 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
  */
 static double aim_loads(size_t rows)
 {
-    const double least = 0.1, most = 0.6, few = 40;
+    const double least = 0.3, most = 0.6, few = 40;
     return fmin(fmax(least * sqrt((double)rows / few), least), most);
 }
 
@@ -379,7 +526,7 @@ struct wf_beam_good wf_beam_check_first(const struct wf_beam *coarse, const stru
 static void choose_again(const struct wf_beam *b, const struct wf_beam *fine, struct wf_beam_check *c,
                          double target, double tolerance, int32_t *pieces)
 {
-    const double loads = pow(2, load_order) * c->loads / tolerance; /* on the mesh of b */
+    const double loads = c->rough / tolerance;
     double alike = ceil(fmax(2 * pow(c->place / tolerance, 0.25), shorter(fmax(loads, 1))));
     double elements = choose_pieces(b, fine, c, target, tolerance, false, pieces);
     if (elements <= alike * (double)b->mesh.n) return;
@@ -397,11 +544,11 @@ static struct wf_beam_good off_beside(const struct wf_beam *b, const struct wf_b
 {
     double allowed = allowed_error(fine, tolerance);
     const size_t tip = wf_tip_row(b->mesh.tree);
+    c->loads = load_error(b, fine, tolerance, c);
     c->place = beam_mesh_error(b, fine, c->reach, c->share) / allowed * tolerance;
-    c->loads = load_error(b, fine, c);
     c->turn = tip_lack(b, fine, tip);
     struct wf_beam_good found = /* on the mesh of b, 2^4 times that of positions on the fine one */
-        good_of(&b->loads, 16 * c->place, pow(2, load_order) * c->loads, c->turn);
+        good_of(&b->loads, 16 * c->place, c->rough, c->turn);
     choose_again(b, fine, c, allowed, tolerance, pieces);
     const int32_t now = wf_beam_pieces(&b->mesh, tip), most = now > 64 ? now : 64;
     if (c->turn >
@@ -427,7 +574,6 @@ enum wf_status wf_beam_mesh_off(const struct wf_beam *b, double tolerance, struc
         fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
         bool swept = wf_beam_sweep_down(&fine, true, NULL);
         wf_beam_row_loads(&b->mesh, (const double(*)[2][3])b->load, check.before);
-        wf_beam_row_loads(&fine.mesh, (const double(*)[2][3])fine.load, check.begun);
         swept = swept && wf_beam_finish(&fine);
         wf_beam_row_loads(&fine.mesh, (const double(*)[2][3])fine.load, check.load);
         if (swept) *out = off_beside(b, &fine, &check, tolerance, pieces);

@@ -14,21 +14,27 @@ bool wf_beam_unmoved(const struct wf_beam *b);
 /* Comparison of solutions on a mesh and on a finer one, row by row. */
 struct wf_beam_check {
     double *reach;             /* per row: path length from its end to the farthest tip [m] */
-    double *share, *bear;      /* per row: its own share of the errors of position [m] and of the loads [-] */
+    double *share;             /* per row: its own share of the errors of position [m], */
+    double *bear, *order;      /* of the load's integral over the row [-], and with which power of the piece
+                                  length that falls */
     double *before, *load;     /* 3 per row: distributed load on the coarse and on the fine mesh [N] */
-    double *begun;             /* likewise, on the fine mesh in the shape carried from the coarse one */
+    double *again, *closer;    /* likewise in the shape of the fine mesh, on the coarse one and on one twice
+                                  as fine as the fine one, of rows for which it matters [N] */
     double depth;              /* rows on the longest path from the ground */
     double *rest, *root;       /* work space */
     double scale, worst, left; /* likewise */
+    bool *looked;              /* likewise: rows whose loads were computed on other meshes too */
+    double moved, rough;       /* errors of all loads by that of the shape, and on the coarse mesh [-] */
     double place, loads;       /* returned: errors of the fine mesh, of positions relative to the largest
-                                  displacement and of loads relative to the force on the ground [-] */
+                                  displacement and of loads relative to the force of the wind on the
+                                  ground, but at least a fiftieth of all that acts there [-] */
     double turn;               /* of the turn of the tree's tip on the coarse mesh, of what is allowed [-] */
 };
 enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, struct wf_beam_check *c,
                                   struct wf_err *e);
-/* Does the fine mesh meet options->mesh_tolerance? Given: of the beams only mesh, options, poses, tilt and
- * the force on the ground; `before`, `load` and `begun`. Returned: the answer, the errors; `before` is the
- * load on the fine mesh. After it: */
+/* Does the fine mesh meet options->mesh_tolerance? Given: of the beams only mesh, options, loads, shape,
+ * poses, tilt and the force on the ground; `before` and `load`. Returned: the answer, the errors; `before` is
+ * the load on the fine mesh. After it: */
 bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c);
 /* pieces[n] of the next mesh, no row coarser than the fine mesh; */
 void wf_beam_check_choose(const struct wf_beam *fine, struct wf_beam_check *c, int32_t *pieces);

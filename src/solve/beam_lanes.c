@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One kernel of several lanes; compiled for each width (WF_WIDTH). */
 #include "solve/beam_lanes.h"
+#include "base/num.h"
 #include "load/line_load.h"
 #include "solve/beam_condense.h"
 #include <float.h>
@@ -550,17 +551,16 @@ static void read_all(struct wf_lanes *x)
 /* Rotation from the base of a coarse element to arc fraction s (0..1) of its row. Returned: the element. */
 WF_INLINE size_t rotation_at(const struct work *w, size_t row, double s, real R[9])
 {
-    int32_t from = w->mesh->first[row], cut = w->mesh->last[row] - from + 1;
-    int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
-    double x = s * cut - k;
-    const struct wf_beam_shape *u = &w->shape[from + k];
+    double x;
+    const int32_t at = w->mesh->first[row] + wf_beam_piece_at(w->mesh, row, s, &x);
+    const struct wf_beam_shape *u = &w->shape[at];
     /* the quadratic through 0 at the base and the two Gauss points */
     double a = x * (x - gauss_place[1]) / (gauss_place[0] * (gauss_place[0] - gauss_place[1]));
     double c = x * (x - gauss_place[0]) / (gauss_place[1] * (gauss_place[1] - gauss_place[0]));
     real v[3];
     for (int i = 0; i < 3; i++) v[i] = a * u->v[0][i] + c * u->v[1][i];
     rotation_matrix(v, R);
-    return (size_t)(from + k);
+    return (size_t)at;
 }
 
 /* Rotation vector of R, whose angle is small as a rule. */
@@ -591,12 +591,12 @@ static void carry(const struct wf_lanes *coarse, struct wf_lanes *fine)
     struct work from = work_of(coarse), to = work_of(fine);
     for (size_t i = 0; i < fine->mesh->n; i++) {
         size_t row = (size_t)fine->mesh->part[i].row;
-        int32_t first = fine->mesh->first[row], cut = fine->mesh->last[row] - first + 1,
-                k = (int32_t)i - first;
+        const int32_t k = (int32_t)i - fine->mesh->first[row], cut = wf_beam_pieces(fine->mesh, row);
+        const double s0 = wf_beam_cut(fine->mesh, row, k, cut), s1 = wf_beam_cut(fine->mesh, row, k + 1, cut);
         for (int j = 0; j < 2; j++) {
             real base[9], at[9], R[9];
-            size_t below = rotation_at(&from, row, (double)k / cut, base);
-            size_t here = rotation_at(&from, row, (k + gauss_place[j]) / cut, at);
+            size_t below = rotation_at(&from, row, s0, base);
+            size_t here = rotation_at(&from, row, wf_between(s0, s1, gauss_place[j]), at);
             if (below != here) turn_by_base(&from, below, base), turn_by_base(&from, here, at);
             m3_mul_transposed(base, at, R);
             small_rotation_vector(R, to.shape[i].v[j]);

@@ -43,14 +43,16 @@ void wf_row_axis(const struct wf_tree *t, size_t i, double s, double position[3]
 
 void wf_beam_first_pieces(const struct wf_tree *t, const struct wf_solve_options *o, int32_t *pieces)
 {
-    enum { FEW = 24 }; /* elements */
-    for (size_t i = 0; i < t->n; i++)
-        pieces[i] = o->mesh_tolerance > 0 && t->n < FEW ? (int32_t)((FEW - 1) / t->n + 1) : 1;
+    enum { FEW = 24, FOOT = 3 }; /* elements */
+    for (size_t i = 0; i < t->n; i++) {
+        const int32_t some = t->n < FEW ? (int32_t)((FEW - 1) / t->n + 1) : t->parent[i] < 0 ? FOOT : 1;
+        pieces[i] = o->mesh_tolerance > 0 ? some : 1;
+    }
 }
 
 void wf_beam_second_pieces(const struct wf_tree *t, int32_t *pieces)
 {
-    enum { FINE = 1024, SHARE = 32 }; /* pieces of the tree's height; a 32nd of all rows */
+    enum { FOOT = 30, SHARE = 32 }; /* pieces of a row as long as the tree is high; a 32nd of all rows */
     double height = 0, feet = 0;
     for (size_t i = 0; i < t->n; i++) {
         pieces[i] *= 2;
@@ -60,7 +62,23 @@ void wf_beam_second_pieces(const struct wf_tree *t, int32_t *pieces)
     const double most = floor((double)t->n / (SHARE * feet));
     for (size_t i = 0; i < t->n && height > 0; i++)
         if (t->parent[i] < 0)
-            pieces[i] = (int32_t)fmax(pieces[i], fmin(2 * most, ceil(FINE * wf_tree_length(t, i) / height)));
+            pieces[i] =
+                (int32_t)fmax(pieces[i], fmin(2 * most, ceil(FOOT * cbrt(wf_tree_length(t, i) / height))));
+}
+
+int32_t wf_beam_piece_at(const struct wf_beam_mesh *m, size_t row, double s, double *x)
+{
+    const int32_t cut = wf_beam_pieces(m, row);
+    int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
+    if (!(m->graded && m->tree->parent[row] < 0)) {
+        *x = s * cut - k;
+        return k;
+    }
+    while (k + 1 < cut && s >= wf_beam_cut(m, row, k + 1, cut)) k++;
+    while (k > 0 && s < wf_beam_cut(m, row, k, cut)) k--;
+    const double from = wf_beam_cut(m, row, k, cut);
+    *x = (s - from) / (wf_beam_cut(m, row, k + 1, cut) - from);
+    return k;
 }
 
 struct row_stiffness {
@@ -189,12 +207,7 @@ static void set_gauss_point(const struct wf_tree *t, const struct wf_loads *l, s
 {
     double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s), at[3];
     wf_row_axis(t, i, s, at, p->t[j]);
-    p->line[j] = (struct wf_line_point){ .diameter = 2 * a,
-                                         .drag = t->drag[i],
-                                         .lift = t->lift[i],
-                                         .sail = wf_between(t->sail0[i], t->sail1[i], s),
-                                         .mass = t->density[i] * wf_tree_area(t, i, s) +
-                                                 wf_between(t->burden0[i], t->burden1[i], s) };
+    p->line[j] = wf_line_point_of(t, i, s);
     p->spin[j] = t->density[i] * 0.5 * WF_PI * (a * a * a * a - b * b * b * b);
     if (t->section && t->section->width0[i] > 0) {
         struct wf_section c;
@@ -264,6 +277,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
     if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1) || (t->section && !m->flat) ||
         (t->standing && (!m->standing || !m->root || !m->still)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu beam elements", m->n);
+    m->graded = l->wind && wf_wind_form(l->wind) != WF_PROFILE_UNIFORM;
     int32_t at = 0;
     for (size_t i = 0; i < t->n; i++) {
         int32_t cut = pieces ? pieces[i] : 1;
@@ -272,10 +286,10 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
         m->first[i] = at;
         for (int32_t k = 0; k < cut; k++, at++) {
             struct wf_beam_part *p = m->part + at;
-            double s0 = (double)k / cut, s1 = (double)(k + 1) / cut;
+            double s0 = wf_beam_cut(m, i, k, cut), s1 = wf_beam_cut(m, i, k + 1, cut);
             p->row = (int32_t)i;
             p->parent = k ? at - 1 : t->parent[i] < 0 ? -1 : m->last[t->parent[i]];
-            p->h = wf_tree_length(t, i) / cut;
+            p->h = wf_tree_length(t, i) * (s1 - s0);
             set_stiffness(t, i, s0, s1, o, p);
             for (int j = 0; j < 2; j++) set_gauss_point(t, l, i, wf_between(s0, s1, gauss_place[j]), p, j);
             if (t->section) set_flat_section(t, i, s0, s1, o, p, m->flat + at);

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_MESH_H
 #define WF_SOLVE_BEAM_MESH_H
-/* Mesh of the beam solvers: each row is cut into equal pieces, each piece is one element with two Gauss
- * points. Everything that does not change with the deformation is computed here, once. */
+/* Mesh of the beam solvers: each row is cut into pieces, each piece is one element with two Gauss points.
+ * Pieces of a row are equal, but in a wind that changes with height those of a row on the ground become
+ * shorter towards it: the load grows there with a low power of height. Everything that does not change with
+ * the deformation is computed here, once. */
 #include "base/arena.h"
 #include "base/err.h"
 #include "base/real.h"
@@ -69,7 +71,7 @@ struct wf_beam_good {
     double pace;     /* speed of the wind with the same load on a stiff tree [m/s]; 0: still air */
     double along[3]; /* its direction */
     double error; /* of positions, relative to the largest displacement, and of loads, relative to the force
-                     on the ground: the larger [-] */
+                     of the wind (wf_beam_check): the larger [-] */
     double turn;  /* of the turn of the tree's tip, of what is allowed [-] */
 };
 enum { WF_BEAM_GOOD = 8 };
@@ -80,7 +82,8 @@ struct wf_beam_goods {
 
 struct wf_beam_mesh {
     const struct wf_tree *tree;
-    size_t n; /* elements */
+    size_t n;    /* elements */
+    bool graded; /* rows on the ground have pieces that are shorter towards it */
     struct wf_beam_goods goods;
     struct wf_beam_part *part;
     struct wf_beam_flat *flat;         /* per element; NULL = all sections are round */
@@ -100,6 +103,15 @@ static inline int32_t wf_beam_pieces(const struct wf_beam_mesh *m, size_t row)
     return m->last[row] - m->first[row] + 1;
 }
 
+/* Arc fraction (0..1) of a row that is cut into so many pieces at which its first k pieces end. */
+static inline double wf_beam_cut(const struct wf_beam_mesh *m, size_t row, int32_t k, int32_t pieces)
+{
+    const double x = (double)k / pieces, cube = x * x * x;
+    return m->graded && m->tree->parent[row] < 0 ? cube / (cube + 1 - x) : x;
+}
+/* The piece of a row, from 0, in which arc fraction s lies, and *x, the fraction of the piece there. */
+int32_t wf_beam_piece_at(const struct wf_beam_mesh *m, size_t row, double s, double *x);
+
 /* Build the mesh. Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL =
  * 1 each). Returned: *out, in `arena`. Errors: WF_ENOMEM; WF_EINPUT naming a row that is not connected to
  * its parent's end. Method: the stiffness of an element is given by two moments of its compliance, so that
@@ -110,12 +122,11 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *tree, const struct wf_lo
                                   struct wf_arena *arena, struct wf_beam_mesh *out, struct wf_err *e);
 
 /* Pieces per row of the first mesh, pieces[n]: where a mesh tolerance is given, a tree of few rows gets at
- * least 24 elements. */
+ * least 24 elements, and of one of many those on the ground get some. */
 void wf_beam_first_pieces(const struct wf_tree *tree, const struct wf_solve_options *options,
                           int32_t *pieces);
 /* Pieces per row of the mesh that it is compared with: twice as many; more in rows on the ground, where that
- * takes few elements. Wind grows from the ground with a low power of height, and the error of its load on
- * long pieces there would outweigh those of all other rows. */
+ * takes few elements: the error of the load there would outweigh those of all other rows. */
 void wf_beam_second_pieces(const struct wf_tree *tree, int32_t *pieces);
 
 /* Position [m] and unit tangent of the unloaded axis at arc fraction s (0..1) of row i. */

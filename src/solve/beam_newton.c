@@ -637,8 +637,6 @@ static enum wf_status newton(struct wf_beam *b, bool watch)
     wf_beam_sweep_up(b);
     struct wf_beam_stability count = { .margin = stability_margin(b) };
     bool swept = sweep_down(b, true, true, watch && b->close ? &count : NULL);
-    if (b->begun) memcpy(b->begun, b->load, b->mesh.n * sizeof *b->begun);
-    b->begun = NULL;
     if (!swept) return WF_ENOCONV;
     b->close = false;
     for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {

@@ -33,8 +33,6 @@ struct wf_beam {
     struct wf_beam_flat *flat;     /* rotated with the element; NULL = all sections are round */
     struct wf_beam_wrench *wrench; /* internal force and moment just below the element's end */
     double (*load)[2][3];          /* at the Gauss points per length, of the last sweep down [N/m] */
-    double (*begun)[2][3];         /* NULL, or filled with that of the shape at which Newton's method begins,
-                                      then NULL */
     struct wf_beam_reaction *node;
     struct wf_beam_answer *answer;
     double (*change)[6]; /* of the end */

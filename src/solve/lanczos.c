@@ -367,7 +367,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
 {
     struct krylov k = { .l = l,
                         .arena = a,
-                        .most = l->most ? l->most : 10 * l->wanted + 60,
+                        .most = l->most ? l->most : 10 * l->wanted + 160,
                         .due = true,
                         .drift_most = vector ? 1e-12 : 1e-9 };
     if (k.most > l->size) k.most = l->size;

@@ -158,16 +158,19 @@ static double rigid_motion(const struct sway *s, const double to[3], bool turnin
     const size_t ends = 8 * m->n;
     memset(v, 0, s->size * sizeof *v);
     for (size_t row = 0; row < t->n; row++) {
-        double pieces = m->last[row] - m->first[row] + 1, low = t->z0[0], arm = 1;
+        const int32_t pieces = wf_beam_pieces(m, row);
+        double low = t->z0[0], arm = 1;
         for (int32_t e = m->first[row]; e <= m->last[row]; e++)
             for (int k = 0; k < 3; k++) {
                 size_t at = 8 * (size_t)e + (size_t)k, end = ends + 3 * (size_t)e + (size_t)k;
-                double below = e - m->first[row];
+                const double from = wf_beam_cut(m, row, e - m->first[row], pieces),
+                             to_end = wf_beam_cut(m, row, e - m->first[row] + 1, pieces);
                 for (size_t j = 0; j < 2; j++) {
-                    if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + gauss[j]) / pieces) - low;
+                    if (turning)
+                        arm = wf_between(t->z0[row], t->z1[row], wf_between(from, to_end, gauss[j])) - low;
                     v[at + 4 * j] = s->root[at + 4 * j] * to[k] * arm;
                 }
-                if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + 1) / pieces) - low;
+                if (turning) arm = wf_between(t->z0[row], t->z1[row], to_end) - low;
                 if (end < s->size) v[end] = s->root[end] * to[k] * arm;
             }
     }

@@ -40,7 +40,8 @@ double wf_response_slope(const struct wf_tree *t, const struct wf_response *r, s
 
 struct wf_solve_options {
     double tolerance;      /* relative accuracy of a converged solution, default 1e-9 */
-    double mesh_tolerance; /* relative error accepted from the mesh, default 1e-6; 0 = one element per row */
+    double mesh_tolerance; /* error accepted from the mesh, of positions relative to the largest displacement
+                              and of loads relative to the wind's, default 1e-6; 0 = one element per row */
     size_t iterations_max; /* per load step, default 100 */
     bool inextensible, shear_flexible; /* beam models K / EB (default) / SR */
     double shear_factor;               /* k in k G A; 0 = Cowper 1966, circular sections */
