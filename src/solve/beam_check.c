@@ -465,8 +465,10 @@ static double allowed_error(const struct wf_beam *b, double tolerance)
 /* What is known of a mesh from the parts of its error. */
 static struct wf_beam_good good_of(const struct wf_loads *l, double place, double loads, double turn)
 {
-    const double error = isnan(place + loads + turn) ? (double)INFINITY : fmax(place, loads);
-    struct wf_beam_good g = { .pace = wf_beam_pace(l), .error = error, .turn = turn };
+    const double known = isnan(place + loads + turn) ? (double)INFINITY : 0;
+    struct wf_beam_good g = {
+        .pace = wf_beam_pace(l), .place = fmax(place, known), .loads = fmax(loads, known), .turn = turn
+    };
     if (l->wind) memcpy(g.along, l->wind->direction, sizeof g.along);
     return g;
 }
@@ -565,7 +567,7 @@ enum wf_status wf_beam_mesh_off(const struct wf_beam *b, double tolerance, struc
     struct wf_beam fine;
     struct wf_beam_check check;
     enum wf_status s = wf_beam_check_make(t, &work, &check, e);
-    *out = (struct wf_beam_good){ .error = INFINITY };
+    *out = (struct wf_beam_good){ .place = INFINITY };
     for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * wf_beam_pieces(&b->mesh, i);
     if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
     if (!s) {
@@ -591,21 +593,30 @@ void wf_beam_note_good(struct wf_beam_goods *g, const struct wf_beam_good *found
     g->at[g->n++ % WF_BEAM_GOOD] = *found;
 }
 
-double wf_beam_expected_error(const struct wf_beam_goods *g, const struct wf_loads *l, double tolerance,
-                              double power)
+/* The expected error of what is allowed; that of loads, which grows slowly, counts by a share. */
+static double expected_error(const struct wf_beam_goods *g, const struct wf_loads *l, double tolerance,
+                             double power, double share)
 {
     const double pace = wf_beam_pace(l);
     double least = INFINITY;
     for (size_t i = 0; i < g->n && i < WF_BEAM_GOOD && pace > 0; i++) {
         if (!(g->at[i].pace > 0)) continue;
-        const double ratio = pace / g->at[i].pace, off = fmax(g->at[i].error / tolerance, g->at[i].turn);
-        least = fmin(least, off * fmax(pow(ratio, power), sqrt(1 / ratio)));
+        const struct wf_beam_good *at = &g->at[i];
+        const double ratio = pace / at->pace, slowly = fmax(sqrt(ratio), sqrt(1 / ratio)),
+                     bent = fmax(at->place / tolerance, at->turn) * fmax(pow(ratio, power), slowly);
+        least = fmin(least, fmax(bent, share * at->loads / tolerance * slowly));
     }
     return least;
 }
 
+double wf_beam_expected_error(const struct wf_beam_goods *g, const struct wf_loads *l, double tolerance,
+                              double power)
+{
+    return expected_error(g, l, tolerance, power, 1);
+}
+
 bool wf_beam_good_by_far(const struct wf_beam_goods *g, const struct wf_loads *l, double tolerance)
 {
-    const double most = 0.4;
-    return wf_beam_expected_error(g, l, tolerance, 2) <= most;
+    const double most = 0.4, most_loads = 0.8;
+    return expected_error(g, l, tolerance, 2, most / most_loads) <= most;
 }

@@ -70,9 +70,9 @@ struct wf_beam_standing {
 struct wf_beam_good {
     double pace;     /* speed of the wind with the same load on a stiff tree [m/s]; 0: still air */
     double along[3]; /* its direction */
-    double error; /* of positions, relative to the largest displacement, and of loads, relative to the force
-                     of the wind (wf_beam_check): the larger [-] */
-    double turn;  /* of the turn of the tree's tip, of what is allowed [-] */
+    double place;    /* error of positions, relative to the largest displacement [-] */
+    double loads;    /* of loads, relative to the force of the wind (struct wf_beam_check) [-] */
+    double turn;     /* of the turn of the tree's tip, of what is allowed [-] */
 };
 enum { WF_BEAM_GOOD = 8 };
 struct wf_beam_goods {

@@ -278,7 +278,7 @@ static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, s
     keep(k, k->before);
     bool further = !s && wf_beam_finish(b);
     if (!s) s = wf_beam_mesh_off(b, k->options.mesh_tolerance, &found, pieces, e);
-    const bool meets = !s && found.error <= k->options.mesh_tolerance && found.turn <= 1;
+    const bool meets = !s && fmax(found.place, found.loads) <= k->options.mesh_tolerance && found.turn <= 1;
     if (!s && !meets) s = coarse(k) ? refine(k, l, pieces, e) : remesh(k, l, b, e);
     if (meets) wf_beam_note_good(&b->mesh.goods, &found);
     if (meets && further) put_back(k, k->before), wf_beam_sweep_up(b);
