@@ -415,18 +415,37 @@ static enum wf_status descend(struct search *list, size_t n, struct wf_err *e)
     return s;
 }
 
+/* The stem's state with slopes by a mesh tolerance that is nearest to a speed, if it is so near that its
+ * totals follow from the slopes; NULL: none. */
+static const struct wf_node *stem_beside(const struct search *q, double tolerance, double speed)
+{
+    const struct wf_node *out = NULL;
+    double least = 0.01 * speed;
+    for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
+        const struct wf_node *node = wf_nodes_at(q->nodes, i);
+        const struct wf_node_state *stem = &node->state[WF_NODE_STEM];
+        if (node->tolerance != tolerance || !stem->known || !stem->sloped || stem->irregular) continue;
+        const double apart = fabs(node->at.speed - speed);
+        if (apart < least) out = node, least = apart;
+    }
+    return out;
+}
+
 /* Totals at the critical speed. Where branches have a peak of their own, a node of theirs has no totals of
- * the tree: they are solved on the mesh of the search, which is good for the figures that are printed. */
+ * the tree: they are those of the mesh of the search, which is good for the figures that are printed. */
 static enum wf_status totals_there(const struct search *q, const struct wf_solve_options *quick,
                                    const struct wf_node *node, double step, struct wf_err *e)
 {
     struct wf_break *out = q->out;
     enum wf_status s = WF_OK;
+    const double speed = node->at.speed;
     const struct wf_node *stem = node;
-    if (!node->state[WF_NODE_STEM].known)
-        s = wf_nodes_solve_part(q->nodes, quick, node->at.speed, WF_NODE_STEM, &stem, e);
+    if (!node->state[WF_NODE_STEM].known) {
+        stem = stem_beside(q, quick->mesh_tolerance, speed + step);
+        if (!stem) s = wf_nodes_solve_part(q->nodes, quick, speed, WF_NODE_STEM, &stem, e);
+    }
     if (s || stem->at.status) return s;
-    move_totals(q, stem, step, &out->at);
+    move_totals(q, stem, speed + step - stem->at.speed, &out->at);
     if (stem == node) return WF_OK;
     struct wf_at_speed branches;
     move_totals(q, node, step, &branches);
