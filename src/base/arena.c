@@ -41,15 +41,15 @@ static struct {
     size_t bytes;
 } spare = { .lock = PTHREAD_MUTEX_INITIALIZER };
 
-/* The smallest block of at least that size and not much more, of several the last that was freed; where there
- * is none, the largest that has room for `bytes`. NULL: neither is spare. */
+/* The smallest block of at least that size and at most four times it, of several the last that was freed;
+ * where there is none, the largest that has room for `bytes`. NULL: neither is spare. */
 static struct wf_arena_block *take_spare(size_t size, size_t bytes)
 {
     struct wf_arena_block **fits = NULL, **less = NULL, *b = NULL;
     pthread_mutex_lock(&spare.lock);
     for (struct wf_arena_block **at = &spare.first; *at; at = &(*at)->older) {
         const size_t has = (*at)->size;
-        if (has >= size && has / 2 <= size && (!fits || has < (*fits)->size)) fits = at;
+        if (has >= size && (has + head) / 4 <= size + head && (!fits || has < (*fits)->size)) fits = at;
         if (has < size && has >= bytes && (!less || has > (*less)->size)) less = at;
     }
     if (!fits) fits = less;
