@@ -69,13 +69,19 @@ void wf_beam_second_pieces(const struct wf_tree *t, int32_t *pieces)
 int32_t wf_beam_piece_at(const struct wf_beam_mesh *m, size_t row, double s, double *x)
 {
     const int32_t cut = wf_beam_pieces(m, row);
-    int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
     if (!(m->graded && m->tree->parent[row] < 0)) {
+        const int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
         *x = s * cut - k;
         return k;
     }
-    while (k + 1 < cut && s >= wf_beam_cut(m, row, k + 1, cut)) k++;
-    while (k > 0 && s < wf_beam_cut(m, row, k, cut)) k--;
+    int32_t k = 0, above = cut;
+    while (above - k > 1) {
+        const int32_t middle = k + (above - k) / 2;
+        if (s < wf_beam_cut(m, row, middle, cut))
+            above = middle;
+        else
+            k = middle;
+    }
     const double from = wf_beam_cut(m, row, k, cut);
     *x = (s - from) / (wf_beam_cut(m, row, k + 1, cut) - from);
     return k;
