@@ -162,8 +162,8 @@ static enum wf_status rigid_drag(const struct wf_setup *s, double *drag, struct 
 }
 
 /* Local Vogel exponent d ln F / d ln U - 2 of the base force F along the wind: fourth-order central
- * difference over four runs at U exp(-2h), U exp(-h), U exp(h), U exp(2h), h = 0.01. Errors: the solver's,
- * WF_EINPUT. */
+ * difference over four runs at U exp(-2h), U exp(-h), U exp(h), U exp(2h), h = 0.01. What their meshes leave
+ * is divided by h. Errors: the solver's, WF_EINPUT. */
 static enum wf_status local_vogel(const struct wf_setup *s, const struct wf_solver *solver,
                                   struct wf_arena *a, double *v, struct wf_err *e)
 {
@@ -176,6 +176,7 @@ static enum wf_status local_vogel(const struct wf_setup *s, const struct wf_solv
         struct wf_response r;
         other.loads.wind = &other.wind;
         other.wind.speed = s->wind.speed * exp(step[i] * h);
+        other.options.mesh_tolerance *= 0.1 * h;
         if (wf_setup_solve(&other, solver, a, &r, e)) return e->code;
         double f = wf_dot(r.base_force, s->wind.direction);
         if (!(f > 0.0)) return wf_fail(e, WF_EINPUT, "the force along the wind is not positive");

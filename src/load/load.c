@@ -109,6 +109,11 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
     return k < 0 ? NULL : &l->streamline_par.number[k];
 }
 
+bool wf_loads_sheared(const struct wf_loads *l)
+{
+    return l->sheared || (l->wind && wf_wind_form(l->wind) != WF_PROFILE_UNIFORM);
+}
+
 struct wf_line_point wf_line_point_of(const struct wf_tree *t, size_t i, double s)
 {
     double outer = wf_between(t->r0[i], t->r1[i], s);

@@ -65,7 +65,11 @@ struct wf_loads {
     size_t ties;
     const struct wf_link *link; /* likewise */
     size_t links;
+    bool sheared; /* the wind, at this or at another speed, changes with height: rows on the ground are cut
+                     for it in still air too */
 };
+/* Does the wind change with height, at this or at another speed? */
+bool wf_loads_sheared(const struct wf_loads *l);
 /* The laws a species may choose from: streamlining and axis drag (load/drag.h). */
 extern const struct wf_laws wf_laws;
 

@@ -544,10 +544,11 @@ struct wf_beam_good wf_beam_check_fine(const struct wf_beam_check *c, const stru
 static struct wf_beam_good off_beside(const struct wf_beam *b, const struct wf_beam *fine,
                                       struct wf_beam_check *c, double tolerance, int32_t *pieces)
 {
-    double allowed = allowed_error(fine, tolerance);
+    const double allowed = allowed_error(fine, tolerance);
     const size_t tip = wf_tip_row(b->mesh.tree);
     c->loads = load_error(b, fine, tolerance, c);
-    c->place = beam_mesh_error(b, fine, c->reach, c->share) / allowed * tolerance;
+    c->scale = allowed / tolerance;
+    c->place = beam_mesh_error(b, fine, c->reach, c->share) / c->scale;
     c->turn = tip_lack(b, fine, tip);
     struct wf_beam_good found = /* on the mesh of b, 2^4 times that of positions on the fine one */
         good_of(&b->loads, 16 * c->place, c->rough, c->turn);

@@ -283,7 +283,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
     if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1) || (t->section && !m->flat) ||
         (t->standing && (!m->standing || !m->root || !m->still)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu beam elements", m->n);
-    m->graded = l->wind && wf_wind_form(l->wind) != WF_PROFILE_UNIFORM;
+    m->graded = o->mesh_tolerance > 0 && wf_loads_sheared(l);
     int32_t at = 0;
     for (size_t i = 0; i < t->n; i++) {
         int32_t cut = pieces ? pieces[i] : 1;

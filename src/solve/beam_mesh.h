@@ -3,7 +3,8 @@
 #define WF_SOLVE_BEAM_MESH_H
 /* Mesh of the beam solvers: each row is cut into pieces, each piece is one element with two Gauss points.
  * Pieces of a row are equal, but in a wind that changes with height those of a row on the ground become
- * shorter towards it: the load grows there with a low power of height. Everything that does not change with
+ * shorter towards it where the mesh is to meet a tolerance: the load grows there with a low power of height.
+ * Everything that does not change with
  * the deformation is computed here, once. */
 #include "base/arena.h"
 #include "base/err.h"

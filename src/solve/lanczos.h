@@ -17,7 +17,7 @@ struct wf_lanczos {
     void *ctx;
     size_t wanted;
     double tolerance; /* on |A x - value x| / |value|; the error of the value itself is about its square */
-    size_t most;      /* vectors of the space that is searched; 0: 10 a wanted one and 60 */
+    size_t most;      /* vectors of the space that is searched; 0: 10 a wanted one and 160 */
 };
 
 /* Largest eigenvalues by block Lanczos (Golub & Underwood 1977) with full orthogonalisation, repeated where

@@ -545,12 +545,13 @@ static enum wf_status rod_settle(struct wf_rod *r, const struct wf_solve_options
     struct wf_beam_outcome out = { .load_factor = 1 };
     struct wf_err why = { 0 };
     struct wf_rod_node *kept = WF_TAKE(a, r->n, struct wf_rod_node);
+    struct wf_solve_options equal = *o;
+    equal.mesh_tolerance = 0; /* the pieces of a row are as long as those of the rod */
     enum wf_status status =
-        kept ? beam_of_rod(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "not enough memory for rods");
+        kept ? beam_of_rod(r, &equal, a, &b, e) : wf_fail(e, WF_ENOMEM, "not enough memory for rods");
     if (status) return status;
     if (!close_from_nodes(r, &b, kept)) {
-        status = wf_beam_settle(&b, a, &out, &why);
-        if (status) {
+        if ((status = wf_beam_settle(&b, a, &out, &why))) {
             *load_factor = out.load_factor;
             return wf_fail(e, status, "%s", why.text);
         }
@@ -581,8 +582,7 @@ static void tally_rod_load(struct rod_tally *sum, const double arm[3], const dou
     v3_add(sum->moment, 1, lever);
 }
 
-/* Columns of the response. Loads and their moments are summed independently of the integration, to check
- * it. */
+/* Columns of the response. Loads and their moments are summed apart from the integration, to check it. */
 static void rod_read(const struct wf_rod *r, struct wf_response *out)
 {
     const struct wf_tree *t = r->tree;
