@@ -100,10 +100,20 @@ static void tree_reach(const struct wf_tree *t, double *reach)
 /* The error of positions falls with this power of the piece length, and so does that of smooth loads. */
 static const double smooth_order = 4;
 
+/* The power with which a row's own error falls between its mesh of so many pieces and a finer one: where the
+ * thin end of the last piece is much thinner than its base, most of the bending is there, and the error does
+ * not fall as fast yet. */
+static double position_order(const struct wf_tree *t, size_t i, double pieces)
+{
+    const double much = 0.5, slow = 2;
+    const double end = fmin(t->r0[i], t->r1[i]), base = end + fabs(t->r0[i] - t->r1[i]) / pieces;
+    return end < much * base ? slow : smooth_order;
+}
+
 /* Estimated error of position at the worst node [m], from solutions on a mesh and a finer one of the same
- * tree. Each row's own contribution (its end relative to its base) falls with the fourth power of the piece
- * length; its error of rotation moves everything beyond it, up to `reach` away. share[n]: contribution of
- * each row [m]; a row that was not refined keeps its old value. */
+ * tree. Each row's own contribution (its end relative to its base) falls with a power of the piece length;
+ * its error of rotation moves everything beyond it, up to `reach` away. share[n]: contribution of each row
+ * [m]; a row that was not refined keeps its old value. */
 static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
                               double *share)
 {
@@ -112,7 +122,8 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
     for (size_t i = 0; i < t->n; i++) {
         double a[3], b[3], A[9], B[9], R[9], turn[3];
         double kc = wf_beam_pieces(&coarse->mesh, i), kf = wf_beam_pieces(&fine->mesh, i);
-        double fall = pow(kf / kc, smooth_order) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
+        double fall =
+            pow(kf / kc, position_order(t, i, kc)) - 1; /* error(coarse) = error(fine) (kf/kc)^order */
         seen_from_base(coarse, i, a, A);
         seen_from_base(fine, i, b, B);
         m3_mul_transposed(A, B, R);
@@ -290,10 +301,10 @@ static void probe_rows(const struct wf_beam *coarse, const struct wf_beam *fine,
  * one twice as fine, all in the shape of the fine mesh; they show the order too. */
 static void look_closer(double r, size_t i, struct wf_beam_check *c)
 {
-    const double part = 1 - pow(2, -load_order);
+    const double part = 1 - pow(2, -load_order), likely = 3; /* one more than at a kink */
     const double off = distance(c->load + 3 * i, c->again + 3 * i),
                  left = distance(c->closer + 3 * i, c->load + 3 * i);
-    const double least = off / (pow(r, smooth_order) - 1), most = off / (pow(r, load_order) - 1);
+    const double least = off / (pow(r, likely) - 1), most = off / (pow(r, load_order) - 1);
     const double order = left > 0 ? log1p(part * off / left) / log(r) : load_order;
     c->bear[i] = left > 0 ? fmin(most, fmax(left / part, least)) : most;
     c->order[i] = fmin(fmax(order, load_order), smooth_order);
