@@ -301,7 +301,7 @@ static void probe_rows(const struct wf_beam *coarse, const struct wf_beam *fine,
  * one twice as fine, all in the shape of the fine mesh; they show the order too. */
 static void look_closer(double r, size_t i, struct wf_beam_check *c)
 {
-    const double part = 1 - pow(2, -load_order), likely = 3; /* one more than at a kink */
+    const double part = 1 - pow(2, -load_order), likely = 2.5; /* half more than at a kink */
     const double off = distance(c->load + 3 * i, c->again + 3 * i),
                  left = distance(c->closer + 3 * i, c->load + 3 * i);
     const double least = off / (pow(r, likely) - 1), most = off / (pow(r, load_order) - 1);
