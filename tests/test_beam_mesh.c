@@ -161,10 +161,41 @@ static void error_of_the_wind(void **state)
             }
 }
 
+/* Places of a stem on a soft root plate, the top of which is thin, are within the tolerance of its largest
+ * displacement, as solved by a thousandth of the tolerance. */
+static void thin_top(void **state)
+{
+    (void)state;
+    const double tolerance = 1e-6;
+    for (size_t rows = 10; rows <= 40; rows *= 2)
+        for (double thin = 0.6; thin > 0.04; thin /= 1.5) {
+            struct beam_case c;
+            struct wf_response got;
+            double most = 0, off = 0;
+            beam_stem(&c, rows, upright, 20, 0.41, 0.12);
+            beam_blow(&c, 25, 0, 0);
+            c.wind.sample = wf_profile_named("power")->sample;
+            c.wind.reference_height = height, c.wind.exponent = exponent;
+            c.loads.gravity = 9.81;
+            c.tree.r1[rows - 1] = thin * c.tree.r0[rows - 1];
+            for (size_t i = rows / 4; i < rows; i++) c.tree.sail0[i] = c.tree.sail1[i] = 4;
+            c.options.root_stiffness[0] = c.options.root_stiffness[1] = 5e6;
+            c.options.mesh_tolerance = tolerance;
+            beam_solve(&c);
+            got = c.out;
+            c.options.mesh_tolerance = 1e-3 * tolerance;
+            beam_solve(&c);
+            for (size_t i = 0; i < 3 * rows; i++)
+                most = fmax(most, fabs(c.out.end[i])), off = fmax(off, fabs(c.out.end[i] - got.end[i]));
+            if (!(off <= tolerance * most)) fail_msg("%zu rows, thin %g: off by %g", rows, thin, off / most);
+            beam_free(&c);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(cuts), cmocka_unit_test(equal_pieces),
                                         cmocka_unit_test(order_at_the_ground),
-                                        cmocka_unit_test(error_of_the_wind) };
+                                        cmocka_unit_test(error_of_the_wind), cmocka_unit_test(thin_top) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

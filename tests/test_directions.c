@@ -89,6 +89,27 @@ static void each_direction_is_an_analysis(void **state)
     wf_arena_free(&m.arena);
 }
 
+/* A straight stem of few rows is the same to all winds, sways and searches included: all have one mesh. */
+static void alike_from_all_around(void **state)
+{
+    (void)state;
+    struct made m;
+    struct wf_directions all;
+    const struct wf_directions_request q = { .n = N };
+    made_read(&m, "species/weeping_willow.yaml", "models/culm.yaml");
+    m.model.segments = 1, m.model.crown_base = 0;
+    analyse(&m, 0);
+    around(&m, &q, &all);
+    for (size_t k = 0; k < N; k++) {
+        const struct wf_critical *one = &all.direction[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical,
+                                 *first = &all.direction[0].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+        assert_true(first->outcome == WF_CRITICAL_FOUND);
+        assert_close(one->speed, first->speed, 1e-8);
+        assert_close(all.direction[k].at[1].base_moment, all.direction[0].at[1].base_moment, 1e-8);
+    }
+    wf_arena_free(&m.arena);
+}
+
 /* Turning the tree turns the answers: leaning to the north instead of the east is a quarter back. */
 static void the_tree_turned(void **state)
 {
@@ -200,11 +221,13 @@ static void mistakes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names_of_directions),    cmocka_unit_test(each_direction_is_an_analysis),
-        cmocka_unit_test(the_tree_turned),        cmocka_unit_test(any_number_of_threads),
-        cmocka_unit_test(hours_of_a_climate),     cmocka_unit_test(mistakes),
-        cmocka_unit_test(gusts_of_each_direction)
-    };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(names_of_directions),
+                                        cmocka_unit_test(each_direction_is_an_analysis),
+                                        cmocka_unit_test(the_tree_turned),
+                                        cmocka_unit_test(alike_from_all_around),
+                                        cmocka_unit_test(any_number_of_threads),
+                                        cmocka_unit_test(hours_of_a_climate),
+                                        cmocka_unit_test(mistakes),
+                                        cmocka_unit_test(gusts_of_each_direction) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

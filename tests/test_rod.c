@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rod solver against the beam engine without stretch, statics at forks and tips, and the printed form. */
-#include "wind/shelter_laws.h"
 #include "beam_cases.h"
 #include "solve/rod.h"
 #include "wind/shelter.h"
+#include "wind/shelter_laws.h"
 
 static double apart(const double *a, const double *b, size_t n)
 {
@@ -314,6 +314,24 @@ static void sheltered_wind(void **state)
 
 /* A twig too long to stand by itself on a tree that does: both solvers answer and warn; as heavy as the tree
  * it is not let through as it stands. */
+/* A wind that grows with height: the beam in which the rod begins has its pieces. */
+static void sheared_wind(void **state)
+{
+    (void)state;
+    for (size_t rows = 1; rows <= 3; rows += 2)
+        for (double speed = 5; speed < 100; speed *= 2.5) {
+            struct beam_case c;
+            beam_stem(&c, rows, upright, 14, 0.03, 0.006);
+            beam_blow(&c, speed, 0, 0);
+            c.wind.sample = wf_profile_named("power")->sample;
+            c.wind.reference_height = 10, c.wind.exponent = 0.2;
+            c.loads.gravity = 9.81;
+            for (size_t i = 0; i < rows; i++) c.tree.sail0[i] = c.tree.sail1[i] = 0.1;
+            agree(&c, 1e-5);
+            beam_free(&c);
+        }
+}
+
 static void loose_twig(void **state)
 {
     (void)state;
@@ -370,6 +388,7 @@ int main(void)
         cmocka_unit_test(printed_any_bearing),
         cmocka_unit_test(printed_refuses),
         cmocka_unit_test(sheltered_wind),
+        cmocka_unit_test(sheared_wind),
         cmocka_unit_test(loose_twig),
         cmocka_unit_test(refuses_bad_input),
     };

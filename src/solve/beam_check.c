@@ -105,7 +105,7 @@ static const double smooth_order = 4;
  * not fall as fast yet. */
 static double position_order(const struct wf_tree *t, size_t i, double pieces)
 {
-    const double much = 0.5, slow = 2;
+    const double much = 0.5, slow = 1;
     const double end = fmin(t->r0[i], t->r1[i]), base = end + fabs(t->r0[i] - t->r1[i]) / pieces;
     return end < much * base ? slow : smooth_order;
 }
