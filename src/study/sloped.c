@@ -321,7 +321,7 @@ static double error_by_node(const struct sloped *c, size_t i, size_t k)
 /* Is the curve between node i and the next known? Both estimates are larger than the error. */
 static bool drawn_between(const struct sloped *c, size_t i)
 {
-    const double enough = 3e-3, apart_most = 2e-2;
+    const double enough = 2.5e-3, apart_most = 2e-2;
     const struct wf_node *low = c->node[i], *high = c->node[i + 1];
     const bool lost = state_at(c, i)->at.status, lost_above = state_at(c, i + 1)->at.status;
     const struct between n = between(c, i, i + 1);
