@@ -114,6 +114,13 @@ bool wf_loads_sheared(const struct wf_loads *l)
     return l->sheared || (l->wind && wf_wind_form(l->wind) != WF_PROFILE_UNIFORM);
 }
 
+void wf_loads_blow(struct wf_loads *l, const struct wf_wind *wind)
+{
+    l->wind = wind;
+    l->sheared = wf_loads_sheared(l);
+    if (!(wind->speed > 0)) l->wind = NULL;
+}
+
 struct wf_line_point wf_line_point_of(const struct wf_tree *t, size_t i, double s)
 {
     double outer = wf_between(t->r0[i], t->r1[i], s);

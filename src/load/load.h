@@ -70,6 +70,8 @@ struct wf_loads {
 };
 /* Does the wind change with height, at this or at another speed? */
 bool wf_loads_sheared(const struct wf_loads *l);
+/* Loads of a wind, which must outlive them; of one without speed, of the still air before or after it. */
+void wf_loads_blow(struct wf_loads *l, const struct wf_wind *wind);
 /* The laws a species may choose from: streamlining and axis drag (load/drag.h). */
 extern const struct wf_laws wf_laws;
 

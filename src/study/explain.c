@@ -66,7 +66,7 @@ enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solv
     struct wf_loads loads = an->loads;
     struct wf_response beam, r;
     wind.speed = wf_scenario_speed(&an->scenario, speed);
-    loads.wind = speed > 0 ? &wind : NULL;
+    wf_loads_blow(&loads, &wind);
     *out = (struct wf_explain){ .axis = WF_TAKE(a, t->n, struct wf_explain_axis),
                                 .room = WF_TAKE(a, t->n, double) };
     if (!out->axis || !out->room) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);

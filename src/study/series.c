@@ -281,7 +281,7 @@ static enum wf_status solve_frame(struct wf_series *s, size_t k, struct wf_diag 
     struct wf_loads loads = s->an.loads;
     struct wf_response r;
     series_blow(s, k, &wind);
-    loads.wind = wind.speed > 0 ? &wind : NULL;
+    wf_loads_blow(&loads, &wind);
     enum wf_status status =
         s->an.solver->solve(&s->an.tree, &loads, &s->spec.solve, &scratch, &r, k ? &quiet : d, why);
     if (!status) status = keep_balance(s, k, &r, &scratch, why);

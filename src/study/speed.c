@@ -290,9 +290,7 @@ static void blow(const struct wf_analysis *an, double speed, enum wf_part part, 
     *wind = an->wind;
     *loads = an->loads;
     wind->speed = wf_scenario_speed(&an->scenario, speed) * wf_peak_wind(an->peak, part);
-    loads->wind = wind;
-    loads->sheared = wf_loads_sheared(loads);
-    if (!(speed > 0.0)) loads->wind = NULL;
+    wf_loads_blow(loads, wind);
     loads->wind_scale *= wf_peak_factor(an->peak, speed, part);
 }
 

@@ -621,9 +621,7 @@ enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve
     struct wf_response r = { 0 };
     size_t found = count + 2; /* the last one wanted may have a companion of its frequency */
     wind.speed = wf_scenario_speed(&an->scenario, speed);
-    loads.wind = &wind;
-    loads.sheared = wf_loads_sheared(&loads);
-    if (!(speed > 0.0)) loads.wind = NULL;
+    wf_loads_blow(&loads, &wind);
     double *frequency = WF_TAKE(a, found, double), *shape = WF_TAKE(a, found * size, double);
     struct wf_modes_part *part = WF_TAKE(a, found, struct wf_modes_part);
     struct wf_sway_mode *mode = WF_TAKE(a, count, struct wf_sway_mode);
