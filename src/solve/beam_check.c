@@ -11,19 +11,32 @@
 
 /* ---- Start shape ---- */
 
-/* Rotation from the unloaded to the loaded state at fraction s (0..1) of a row. */
-static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
+/* Rotation from the unloaded to the loaded state at fraction x (0..1) of an element. */
+static void rotation_in(const struct wf_beam *b, size_t element, double x, double L[9])
 {
-    double x, v[3], R[9];
-    const int32_t at = b->mesh.first[row] + wf_beam_piece_at(&b->mesh, row, s, &x);
-    const struct wf_beam_shape *u = &b->shape[at];
+    double v[3], R[9];
+    const struct wf_beam_shape *u = &b->shape[element];
     /* the quadratic through 0 at the base and the two Gauss points */
     double a = x * (x - gauss_place[1]) / (gauss_place[0] * (gauss_place[0] - gauss_place[1]));
     double c = x * (x - gauss_place[0]) / (gauss_place[1] * (gauss_place[1] - gauss_place[0]));
     for (int i = 0; i < 3; i++) v[i] = a * u->v[0][i] + c * u->v[1][i];
     struct wf_beam_pose ground;
     rotation_matrix(v, R);
-    m3_mul(wf_beam_base(b, (size_t)at, &ground)->L, R, L);
+    m3_mul(wf_beam_base(b, element, &ground)->L, R, L);
+}
+
+/* The element at fraction s (0..1) of a row, and *x, the fraction of it there. */
+static size_t element_at(const struct wf_beam *b, size_t row, double s, double *x)
+{
+    return (size_t)(b->mesh.first[row] + wf_beam_piece_at(&b->mesh, row, s, x));
+}
+
+/* The rotation at fraction s of a row. */
+static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
+{
+    double x;
+    const size_t element = element_at(b, row, s, &x);
+    rotation_in(b, element, x, L);
 }
 
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
@@ -204,7 +217,7 @@ static void axis_at(const struct wf_beam *b, size_t row, double s, const double 
                     double tangent[3])
 {
     double x;
-    const int32_t piece = b->mesh.first[row] + wf_beam_piece_at(&b->mesh, row, s, &x);
+    const size_t piece = element_at(b, row, s, &x);
     const double *const g = gauss_place, narrow = g[1] - g[0];
     /* lengths of the axis to x and to the end along the tangents at the Gauss points, [1]: whole */
     const double to[2] = { (g[1] * x - 0.5 * x * x) / narrow, (0.5 * x * x - g[0] * x) / narrow };
@@ -212,8 +225,8 @@ static void axis_at(const struct wf_beam *b, size_t row, double s, const double 
     const struct wf_beam_pose *end = &b->pose[piece];
     double R[9], L[9], t[3], whole[3];
     struct wf_beam_pose ground;
-    const struct wf_beam_pose *base = wf_beam_base(b, (size_t)piece, &ground);
-    beam_rotation_at(b, row, s, L);
+    const struct wf_beam_pose *base = wf_beam_base(b, piece, &ground);
+    rotation_in(b, piece, x, L);
     m3_apply(L, still, tangent);
     memcpy(at, base->r, sizeof base->r), memcpy(whole, base->r, sizeof whole);
     for (int j = 0; j < 2; j++) {

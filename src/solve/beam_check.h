@@ -32,9 +32,9 @@ struct wf_beam_check {
 };
 enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, struct wf_beam_check *c,
                                   struct wf_err *e);
-/* Does the fine mesh meet options->mesh_tolerance? Given: of the beams only mesh, options, loads, shape,
- * poses, tilt and the force on the ground; `before` and `load`. Returned: the answer, the errors; `before` is
- * the load on the fine mesh. After it: */
+/* Does the fine mesh meet options->mesh_tolerance? Given: of the beams only mesh, options, poses, tilt and
+ * the force on the ground, of the fine one also loads and rotation vectors; `before` and `load`. Returned:
+ * the answer, the errors; `before` is the load on the fine mesh. After it: */
 bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c);
 /* pieces[n] of the next mesh, no row coarser than the fine mesh; */
 void wf_beam_check_choose(const struct wf_beam *fine, struct wf_beam_check *c, int32_t *pieces);

@@ -82,15 +82,13 @@ static void read_pose(const struct block *b, const struct level *l, size_t i, si
     for (size_t q = 0; q < 9; q++) out->L[q] = x[(3 + q) * width];
 }
 
-static void read_shape(const struct block *b, const struct level *l, size_t i, size_t k,
-                       struct wf_beam_shape *out)
+/* Rotation vectors of the elements, without their strains. */
+static void read_turns(const struct block *b, const struct level *l, size_t k, struct wf_beam_shape *out)
 {
-    const double *x = lane_of(b, l->group[k / b->kernel->width].shape, WF_LANES_SHAPE, i, k);
-    for (size_t q = 0; q < 3; q++)
-        for (size_t j = 0; j < 2; j++) {
-            out->v[j][q] = x[(3 * j + q) * b->kernel->width];
-            out->g[j][q] = x[(6 + 3 * j + q) * b->kernel->width];
-        }
+    for (size_t i = 0; i < l->mesh.n; i++) {
+        const double *x = lane_of(b, l->group[k / b->kernel->width].shape, WF_LANES_SHAPE, i, k);
+        for (size_t q = 0; q < 6; q++) out[i].v[q / 3][q % 3] = x[q * b->kernel->width];
+    }
 }
 
 static enum wf_status make_level(struct block *b, const int32_t *pieces, struct level *l, struct wf_err *e)
@@ -167,19 +165,16 @@ static void answer_state(const struct block *b, const struct level *l, size_t k)
     r->load_factor = 1;
 }
 
-/* A state as wf_beam_check_meets takes it; `pose` and `shape` have room for all. */
+/* A state as wf_beam_check_meets takes the coarser; `pose` has room for all. */
 static void view_state(const struct block *b, const struct level *l, size_t k, struct wf_beam_pose *pose,
-                       struct wf_beam_shape *shape, double (*tilt)[3], struct wf_beam *out)
+                       double (*tilt)[3], struct wf_beam *out)
 {
     const size_t width = b->kernel->width;
     const double *sum = lane_of(b, l->group[k / width].sums, WF_LANES_SUMS, 0, k);
-    *out = (struct wf_beam){ .mesh = l->mesh,
-                             .options = b->options,
-                             .loads = *b->state[k].loads,
-                             .pose = pose,
-                             .shape = shape,
-                             .tilt = tilt };
-    for (size_t i = 0; i < l->mesh.n; i++) read_pose(b, l, i, k, &pose[i]), read_shape(b, l, i, k, &shape[i]);
+    *out = (struct wf_beam){
+        .mesh = l->mesh, .options = b->options, .loads = *b->state[k].loads, .pose = pose, .tilt = tilt
+    };
+    for (size_t i = 0; i < l->mesh.n; i++) read_pose(b, l, i, k, &pose[i]);
     for (size_t c = 0; c < 3; c++) out->base.n[c] = sum[c * width];
 }
 
@@ -199,16 +194,16 @@ static enum wf_status refine(struct block *b, int32_t *pieces, bool finest, stru
     struct wf_arena scratch = { 0 };
     struct wf_beam_pose *pose[2] = { WF_TAKE(&scratch, b->level[0].mesh.n, struct wf_beam_pose),
                                      WF_TAKE(&scratch, b->level[1].mesh.n, struct wf_beam_pose) };
-    struct wf_beam_shape *shape[2] = { WF_TAKE(&scratch, b->level[0].mesh.n, struct wf_beam_shape),
-                                       WF_TAKE(&scratch, b->level[1].mesh.n, struct wf_beam_shape) };
+    struct wf_beam_shape *shape = WF_TAKE(&scratch, b->level[1].mesh.n, struct wf_beam_shape);
     double(*tilt)[3] = wf_arena_take(&scratch, t->n, sizeof *tilt);
     int32_t *own = WF_TAKE(&scratch, t->n, int32_t);
-    bool memory = pose[0] && pose[1] && shape[0] && shape[1] && tilt && own;
+    bool memory = pose[0] && pose[1] && shape && tilt && own;
     for (size_t k = 0; k < b->n && memory; k++) {
         struct wf_beam coarse, fine;
         if (!b->wanted[k]) continue;
-        view_state(b, &b->level[0], k, pose[0], shape[0], tilt, &coarse);
-        view_state(b, &b->level[1], k, pose[1], shape[1], tilt, &fine);
+        view_state(b, &b->level[0], k, pose[0], tilt, &coarse);
+        view_state(b, &b->level[1], k, pose[1], tilt, &fine);
+        read_turns(b, &b->level[1], k, fine.shape = shape);
         read_loads(b, &b->level[1], k, b->check[k].load);
         if (wf_beam_check_meets(&coarse, &fine, &b->check[k]) || finest) {
             answer_state(b, &b->level[1], k);

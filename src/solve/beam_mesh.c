@@ -69,7 +69,7 @@ void wf_beam_second_pieces(const struct wf_tree *t, int32_t *pieces)
 int32_t wf_beam_piece_at(const struct wf_beam_mesh *m, size_t row, double s, double *x)
 {
     const int32_t cut = wf_beam_pieces(m, row);
-    if (!(m->graded && m->tree->parent[row] < 0)) {
+    if (!wf_beam_graded(m, row)) {
         const int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
         *x = s * cut - k;
         return k;

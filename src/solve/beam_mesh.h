@@ -104,11 +104,16 @@ static inline int32_t wf_beam_pieces(const struct wf_beam_mesh *m, size_t row)
     return m->last[row] - m->first[row] + 1;
 }
 
+/* Do the pieces of a row become shorter towards the ground? */
+static inline bool wf_beam_graded(const struct wf_beam_mesh *m, size_t row)
+{
+    return m->graded && m->tree->parent[row] < 0;
+}
 /* Arc fraction (0..1) of a row that is cut into so many pieces at which its first k pieces end. */
 static inline double wf_beam_cut(const struct wf_beam_mesh *m, size_t row, int32_t k, int32_t pieces)
 {
     const double x = (double)k / pieces, cube = x * x * x;
-    return m->graded && m->tree->parent[row] < 0 ? cube / (cube + 1 - x) : x;
+    return wf_beam_graded(m, row) ? cube / (cube + 1 - x) : x;
 }
 /* The piece of a row, from 0, in which arc fraction s lies, and *x, the fraction of the piece there. */
 int32_t wf_beam_piece_at(const struct wf_beam_mesh *m, size_t row, double s, double *x);

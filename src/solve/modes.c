@@ -160,11 +160,11 @@ static double rigid_motion(const struct sway *s, const double to[3], bool turnin
     for (size_t row = 0; row < t->n; row++) {
         const int32_t pieces = wf_beam_pieces(m, row);
         double low = t->z0[0], arm = 1;
-        for (int32_t e = m->first[row]; e <= m->last[row]; e++)
+        for (int32_t e = m->first[row]; e <= m->last[row]; e++) {
+            const double from = wf_beam_cut(m, row, e - m->first[row], pieces),
+                         to_end = wf_beam_cut(m, row, e - m->first[row] + 1, pieces);
             for (int k = 0; k < 3; k++) {
                 size_t at = 8 * (size_t)e + (size_t)k, end = ends + 3 * (size_t)e + (size_t)k;
-                const double from = wf_beam_cut(m, row, e - m->first[row], pieces),
-                             to_end = wf_beam_cut(m, row, e - m->first[row] + 1, pieces);
                 for (size_t j = 0; j < 2; j++) {
                     if (turning)
                         arm = wf_between(t->z0[row], t->z1[row], wf_between(from, to_end, gauss[j])) - low;
@@ -173,6 +173,7 @@ static double rigid_motion(const struct sway *s, const double to[3], bool turnin
                 if (turning) arm = wf_between(t->z0[row], t->z1[row], to_end) - low;
                 if (end < s->size) v[end] = s->root[end] * to[k] * arm;
             }
+        }
     }
     double square = dot(v, v, s->size);
     for (size_t i = 0; i < s->size && square > 0; i++) v[i] /= sqrt(square);
