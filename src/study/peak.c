@@ -35,6 +35,20 @@ void wf_peak_sways_take(struct wf_peak *p)
     if (p->sways < 2) return;
     wf_curve_slopes(p->sways, speed, frequency, p->slope[0]);
     wf_curve_slopes(p->sways, speed, air, p->slope[1]);
+    /* loads grow with the square of the wind: the frequency so, the damping with the wind */
+    if (speed[0] == 0.0) p->slope[0][0] = 0.0, p->slope[1][0] = p->air_rises;
+}
+
+/* A number of the sway between two of them: a parabola with the slope of the curve at the lower one, which
+ * depends on no sway above the two. It does not overshoot (that slope is at most twice the chord's) but above
+ * still air, where the slope is that of the physics. */
+static double between(size_t n, const double *speed, const double *value, const double *slope, double at)
+{
+    size_t i = 0;
+    while (i + 2 < n && at >= speed[i + 1]) i++;
+    const double width = speed[i + 1] - speed[i], rise = value[i + 1] - value[i];
+    const double s = fmin(fmax((at - speed[i]) / width, 0.0), 1.0), tangent = width * slope[i];
+    return value[i] + s * (tangent + s * (rise - tangent));
 }
 
 /* Frequency and aerodynamic damping at a speed; participation and mass are those of the nearest speed. */
@@ -46,8 +60,8 @@ static struct wf_sway sway_at(const struct wf_peak *p, double at)
         if (fabs(p->sway[i].speed - at) < fabs(out.speed - at)) out = p->sway[i];
     if (p->sways < 2) return out;
     columns(p, speed, frequency, air);
-    out.frequency = wf_curve_at(p->sways, speed, frequency, p->slope[0], at);
-    out.air = wf_curve_at(p->sways, speed, air, p->slope[1], at);
+    out.frequency = between(p->sways, speed, frequency, p->slope[0], at);
+    out.air = between(p->sways, speed, air, p->slope[1], at);
     return out;
 }
 

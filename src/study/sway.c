@@ -65,6 +65,51 @@ static double damping_sum(const struct wf_analysis *an, const struct wf_response
     return sum;
 }
 
+/* Wind loads on the rows, in a light wind on the tree as it stands in still air [N]. */
+static void light_loads(const struct wf_analysis *an, const struct wf_response *still, double speed,
+                        double *load)
+{
+    static const double gauss[2] = { 0.21132486540518712, 0.78867513459481288 };
+    const struct wf_tree *t = &an->tree;
+    struct wf_wind wind = an->wind;
+    struct wf_loads loads = an->loads;
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
+    loads.wind = &wind;
+    for (size_t i = 0; i < t->n; i++) {
+        const double *end = still->end + 3 * i,
+                     *base = t->parent[i] < 0 ? NULL : still->end + 3 * t->parent[i];
+        double from[3] = { t->x0[i], t->y0[i], t->z0[i] }, to[3] = { t->x1[i], t->y1[i], t->z1[i] }, axis[3];
+        for (int k = 0; k < 3; k++)
+            from[k] += base ? base[k] : 0.0, to[k] += end[k], axis[k] = to[k] - from[k];
+        const double length = wf_tree_length(t, i), chord = norm3(axis);
+        for (int k = 0; k < 3; k++) axis[k] /= chord, load[3 * i + (size_t)k] = 0.0;
+        for (int j = 0; j < 2; j++) {
+            const struct wf_line_point point = wf_line_point_of(t, i, gauss[j]);
+            struct wf_line_parts parts;
+            double x[3];
+            for (int k = 0; k < 3; k++) x[k] = wf_between(from[k], to[k], gauss[j]);
+            wf_load_parts_on_line(&loads, &point, x, axis, &parts);
+            for (int k = 0; k < 3; k++)
+                load[3 * i + (size_t)k] += 0.5 * length * (parts.drag_axis[k] + parts.drag_crown[k]);
+        }
+    }
+}
+
+/* Slope by the wind speed of the aerodynamic damping in still air, where loads grow with the square of the
+ * wind: damping over speed in a light wind on the shape in still air [s/m]. */
+static double damping_rises(const struct wf_analysis *an, const struct wf_response *still,
+                            const struct wf_modes_sway *m, const double *shape)
+{
+    const double light = 1.0; /* [m/s] */
+    struct wf_arena scratch = { 0 };
+    double *load = WF_TAKE(&scratch, 3 * an->tree.n, double);
+    struct wf_response r = *still;
+    double sum = 0.0;
+    if (load) light_loads(an, still, light, r.load = load), sum = damping_sum(an, &r, light, 0.0, shape);
+    wf_arena_free(&scratch);
+    return sum / (2.0 * WF_TURN * m->frequency * m->share * m->inertia * light);
+}
+
 /* ---- For the peak load ---- */
 
 /* Extent of the wind load across the wind and up: its standard deviation times sqrt(12), which is the width
@@ -115,6 +160,7 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
     enum wf_status s = wf_speed_track(an, WF_PART_MEAN, track, speed, &near, &scratch, &r, &why);
     bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, bands, m, shape, &why);
     if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
+    if (known && speed == 0.0) p->air_rises = damping_rises(an, &r.at.response, &m[0], shape);
     if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m[0], shape);
     for (size_t k = 1; k < bands && known; k++)
         p->other[p->others++] = sway_of(an, &r.at, &m[k], shape + 3 * an->tree.n * k);
@@ -122,17 +168,25 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
     return known;
 }
 
-/* Speeds at which sways are computed: still air, the given ones, and some up to the end of the search. */
+static bool beside(const double *speed, size_t n, double x, double near)
+{
+    for (size_t i = 0; i < n; i++)
+        if (fabs(speed[i] - x) < near) return true;
+    return false;
+}
+
+/* Speeds at which sways are computed: still air, the given ones, the end of the search, and some between that
+ * are not near any of these. */
 static size_t pick_speeds(const struct wf_analysis *an, const double *given, size_t n, double *out)
 {
-    const double shares[] = { 0.0, 0.2, 0.4, 0.7, 1.0 };
+    const double shares[] = { 0.0, 1.0, 0.2, 0.4, 0.7 }, end = an->search.speed_max, near = 0.05;
+    const size_t fixed = 2;
     size_t k = 0;
-    for (size_t i = 0; i < WF_COUNT(shares); i++) out[k++] = shares[i] * an->search.speed_max;
-    for (size_t i = 0; i < n && k < WF_PEAK_SWAYS; i++) {
-        bool there = false;
-        for (size_t j = 0; j < k; j++) there = there || fabs(out[j] - given[i]) < 0.02 * an->search.speed_max;
-        if (!there) out[k++] = given[i];
-    }
+    for (size_t i = 0; i < fixed; i++) out[k++] = shares[i] * end;
+    for (size_t i = 0; i < n && k + WF_COUNT(shares) - fixed < WF_PEAK_SWAYS; i++)
+        if (!beside(out, k, given[i], 1e-3 * end)) out[k++] = given[i];
+    for (size_t i = fixed; i < WF_COUNT(shares); i++)
+        if (!beside(out, k, shares[i] * end, near * end)) out[k++] = shares[i] * end;
     return k;
 }
 
@@ -230,12 +284,11 @@ static void close_search(struct wf_sway_search *q)
     q->peak->more = NULL, q->peak->about = NULL;
 }
 
-/* Are the sways known on which those up to a speed depend: that at it or above, and one more, for the slopes
- * of the curve through them? */
+/* Are the sways known on which those up to a speed depend: one at it or above? */
 static bool covers(const struct wf_sway_search *q, double speed)
 {
     const size_t n = q->peak->sways;
-    return n >= 2 && q->peak->sway[n - 2].speed >= speed;
+    return n >= 2 && q->peak->sway[n - 1].speed >= speed;
 }
 
 /* An interrupt leaves sways out. */
@@ -483,6 +536,7 @@ static void take_alike(struct wf_peak *p, const struct wf_peak *like, const stru
     double air = own->drag / other->drag / (mass * frequency);
     p->sways = like->sways, p->others = 0;
     p->tree.breadth = like->tree.breadth;
+    p->air_rises = like->air_rises * air;
     for (size_t i = 0; i < p->sways; i++) {
         p->sway[i] = like->sway[i];
         p->sway[i].frequency *= frequency, p->sway[i].mass *= mass, p->sway[i].air *= air;
