@@ -269,6 +269,27 @@ static enum wf_status solve_on_few(const struct wf_tree *t, const struct wf_load
     return s ? s : settle_soon(b, soon, known->near, &m->newton, out, e);
 }
 
+/* The solution on a mesh that met the tolerance at other loads and is good by far at these, from the shape of
+ * a near one, if Newton's method converges soon there. Returned: *done. */
+static enum wf_status solve_on_good(const struct wf_tree *t, const struct wf_loads *l,
+                                    const struct wf_solve_options *o, const struct wf_beam_known *known,
+                                    struct two_meshes *m, int32_t *pieces, struct wf_beam *b,
+                                    struct wf_beam_outcome *out, bool *done, struct wf_err *e)
+{
+    const struct wf_beam_mesh *good = known->good;
+    *out = (struct wf_beam_outcome){ .load_factor = 1 };
+    *done = false;
+    if (known->from || !known->soon || !good || !(o->mesh_tolerance > 0) ||
+        !wf_beam_good_by_far(&good->goods, l, o->mesh_tolerance))
+        return WF_OK;
+    for (size_t i = 0; i < t->n; i++) pieces[i] = wf_beam_pieces(good, i);
+    enum wf_status s = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
+    b->mesh.goods = good->goods;
+    *done = !s && rests_beside(b, known->soon, SOON, NULL);
+    if (!*done) wf_arena_free(&m->shape), wf_arena_free(&m->newton);
+    return s;
+}
+
 static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,
                                       const struct wf_solve_options *o, const struct wf_beam_known *known,
                                       struct wf_arena *work, struct two_meshes *m, struct wf_beam *b,
@@ -281,9 +302,12 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     struct wf_beam_few *few = known->from ? NULL : known->few;
     if (wf_beam_few_good(few, l, o->mesh_tolerance)) return solve_on_few(t, l, o, known, m, b, out, e);
+    bool done;
+    enum wf_status status = solve_on_good(t, l, o, known, m, pieces, b, out, &done, e);
+    if (status || done) return status;
     struct wf_solve_options compared = *o; /* this mesh's solution is not the answer */
     compared.tolerance = fmax(o->tolerance, 0.01 * o->mesh_tolerance);
-    enum wf_status status = solve_first(t, l, &compared, known, m, pieces, b, out, e);
+    status = solve_first(t, l, &compared, known, m, pieces, b, out, e);
     b->options = o;
     if (status || !(o->mesh_tolerance > 0) || wf_beam_unmoved(b)) return status;
 
