@@ -216,6 +216,12 @@ static bool join_pieces(const struct wf_beam_mesh *good, double most, int32_t *p
     return joined > now && joined <= most * now;
 }
 
+/* The solution whose shape is tried where Newton's method stalls on a further mesh; NULL: there is none. */
+static const struct wf_beam *near_of(const struct wf_beam_known *known)
+{
+    return known->near ? known->near : known->soon;
+}
+
 /* A solution on a finer mesh, from that of b on the coarser one. Returned: also the loads of the check on it.
  */
 static enum wf_status solve_finer(const struct wf_beam *b, const int32_t *pieces,
@@ -230,7 +236,7 @@ static enum wf_status solve_finer(const struct wf_beam *b, const int32_t *pieces
     enum wf_status s = wf_beam_init(fine, b->mesh.tree, &b->loads, o, pieces, &m->shape, &m->newton, e);
     if (s) return s;
     wf_beam_carry(b, fine);
-    s = settle_near(fine, known->near, &m->newton, out, e);
+    s = settle_near(fine, near_of(known), &m->newton, out, e);
     if (!s) wf_beam_row_loads(&fine->mesh, (const double(*)[2][3])fine->load, check->load);
     fine->iterations += b->iterations, fine->steps += b->steps;
     return s;

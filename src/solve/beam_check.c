@@ -642,6 +642,6 @@ double wf_beam_expected_error(const struct wf_beam_goods *g, const struct wf_loa
 
 bool wf_beam_good_by_far(const struct wf_beam_goods *g, const struct wf_loads *l, double tolerance)
 {
-    const double most = 0.4, most_loads = 0.8;
+    const double most = 0.5, most_loads = 0.8;
     return expected_error(g, l, tolerance, 2, most / most_loads) <= most;
 }
