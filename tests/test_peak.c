@@ -2,6 +2,7 @@
 /* Peak loads: sway and damping of a uniform pole against closed forms, factors on the load, critical winds.
  */
 #include "base/interrupt.h"
+#include "base/num.h"
 #include "beam_cases.h"
 #include "data/species.h"
 #include "load/drag.h"
@@ -98,6 +99,54 @@ static void damped_by_the_air(void **state)
     double air = 2 * load / (4 * 3.14159265358979 * parts.frequency * mass_per_length() * speed);
     assert_close(parts.air, air, 2e-3); /* the load turns with the bent pole */
     assert_close(parts.damping, 0.03 + parts.air, 1e-12);
+    wf_arena_free(&p.c.arena);
+}
+
+/* Between still air and the first sway the damping of the air begins with the wind, by the closed form above,
+ * and the frequency level. With a crown that gives less and less load the damping then grows more slowly:
+ * between sways it is near the one found there. */
+static void light_winds(void **state)
+{
+    const double light[] = { 2, 5, 8 };
+    struct pole p;
+    struct wf_peak_parts parts, there;
+    (void)state;
+    make(&p, "en1991", false);
+    wf_peak_parts_at(p.an.peak, 0, WF_PART_STEM, &parts);
+    const double f = parts.frequency;
+    double load = 0.5 * p.an.loads.air_density * drag * 2 * radius;
+    assert_close(p.an.peak->air_rises, 2 * load / (4 * 3.14159265358979 * f * mass_per_length()), 1e-3);
+    wf_peak_parts_at(p.an.peak, 1, WF_PART_STEM, &parts);
+    assert_close(parts.air, p.an.peak->air_rises, 2e-3);
+    assert_close(parts.frequency, f, 1e-4);
+    wf_arena_free(&p.c.arena);
+    for (size_t k = 0; k < 3; k++) {
+        make(&p, "en1991", true);
+        for (size_t i = ROWS / 2; i < ROWS; i++) p.c.tree.sail0[i] = p.c.tree.sail1[i] = 1;
+        p.an.loads.streamline = wf_streamline_named("vogel");
+        p.an.loads.streamline_par.number[0] = -0.8, p.an.loads.streamline_par.number[1] = 3;
+        assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
+        wf_peak_parts_at(p.an.peak, light[k], WF_PART_STEM, &parts);
+        assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, &light[k], 1, &p.c.arena, NULL, &p.c.err),
+                         WF_OK);
+        wf_peak_parts_at(p.an.peak, light[k], WF_PART_STEM, &there);
+        assert_close(parts.air, there.air, 0.15); /* a chord is 0.24 to 0.56 off */
+        assert_close(parts.frequency, there.frequency, 0.01);
+        wf_arena_free(&p.c.arena);
+    }
+}
+
+/* Every given wind has its own sway, that of a fixed speed beside it is left out. */
+static void given_winds_are_sways(void **state)
+{
+    const double given[] = { 10, 10.5, 13, 59.5 };
+    struct pole p;
+    (void)state;
+    make(&p, "en1991", false);
+    assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, given, 4, &p.c.arena, NULL, &p.c.err), WF_OK);
+    const double wanted[] = { 0, 10, 10.5, 13, 24, 42, 59.5, 60 };
+    assert_int_equal(p.an.peak->sways, WF_COUNT(wanted));
+    for (size_t k = 0; k < WF_COUNT(wanted); k++) assert_close(p.an.peak->sway[k].speed, wanted[k], 1e-12);
     wf_arena_free(&p.c.arena);
 }
 
@@ -414,6 +463,8 @@ int main(void)
         cmocka_unit_test(modes_in_wind),
         cmocka_unit_test(sways_as_a_cantilever),
         cmocka_unit_test(damped_by_the_air),
+        cmocka_unit_test(light_winds),
+        cmocka_unit_test(given_winds_are_sways),
         cmocka_unit_test(multiplies_the_wind_alone),
         cmocka_unit_test(methods_without_sway),
         cmocka_unit_test(stands),
