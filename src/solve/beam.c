@@ -168,7 +168,7 @@ static enum wf_status settle_soon(struct wf_beam *b, const struct wf_beam *soon,
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
     if (soon && rests_beside(b, soon, SOON, NULL)) return WF_OK;
     if (soon) wf_beam_unbend(b);
-    return settle_near(b, near, newton, out, e);
+    return settle_near(b, near ? near : soon, newton, out, e);
 }
 
 /* Pieces of the mesh that is begun with: half as many as that of `from`, or as many; at least those of the
