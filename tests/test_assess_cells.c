@@ -42,7 +42,7 @@ static void own_winds(void **state)
           "--design en1991 --basic-wind 25 --terrain III; cut -d, "
           "-f6-9 $T/o.csv",
           CODE_OK,
-          { "0\nwf_status", "assessed,,incomplete,2.1405\nwf_status", "assessed,,incomplete,2.1405\n" } },
+          { "0\nwf_status", "assessed,,incomplete,2.1409\nwf_status", "assessed,,incomplete,2.1409\n" } },
         { TREE_OF("\noak,20,250,14,4") GO "--lang zh", CODE_INPUT, { "没有列也没有选项给出风" } },
         /* classes and grades are not taken for m/s */
         { TREE_OF(",wind\noak,20,250,14,4,3\noak,20,250,14,4,12\noak,20,250,14,4,12 m/s\noak,20,250,14,4,13")
@@ -64,8 +64,8 @@ static void own_winds(void **state)
           "--wind 20; cut -d, "
           "-f9-12 $T/o.csv",
           CODE_OK,
-          { "\nassessed,,incomplete,2.5608\nassessed,,incomplete,1.5847\n",
-            "\nassessed,,incomplete,2.1405\nassessed,,incomplete,2.584\n" } },
+          { "\nassessed,,incomplete,2.5608\nassessed,,incomplete,1.5849\n",
+            "\nassessed,,incomplete,2.1409\nassessed,,incomplete,2.584\n" } },
         { TREE_OF(",wind_kmh\noak,20,250,14,4,1.2.3\noak,20,250,14,4,-5\noak,20,250,14,4,.5") GO
           "--wind 20; cut "
           "-d, -f6- $T/o.csv",
