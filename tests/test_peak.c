@@ -136,7 +136,8 @@ static void light_winds(void **state)
     }
 }
 
-/* Every given wind has its own sway, that of a fixed speed beside it is left out. */
+/* Winds above and below a given one, of 30 the lowest, the highest and some between, are sways; fixed speeds
+ * beside them are left out. */
 static void given_winds_are_sways(void **state)
 {
     const double given[] = { 10, 10.5, 13, 59.5 };
@@ -147,6 +148,46 @@ static void given_winds_are_sways(void **state)
     const double wanted[] = { 0, 10, 10.5, 13, 24, 42, 59.5, 60 };
     assert_int_equal(p.an.peak->sways, WF_COUNT(wanted));
     for (size_t k = 0; k < WF_COUNT(wanted); k++) assert_close(p.an.peak->sway[k].speed, wanted[k], 1e-12);
+    double many[30];
+    for (size_t k = 0; k < WF_COUNT(many); k++) many[k] = 5.0 + (double)k;
+    assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, many, WF_COUNT(many), &p.c.arena, NULL, &p.c.err),
+                     WF_OK);
+    const size_t n = p.an.peak->sways;
+    assert_true(n <= WF_PEAK_SWAYS);
+    assert_close(p.an.peak->sway[1].speed, 5, 1e-12);
+    assert_close(p.an.peak->sway[n - 3].speed, 34, 1e-12); /* then 42 and the end */
+    wf_arena_free(&p.c.arena);
+}
+
+/* However far apart the first sways lie, the damping between them does not exceed them by more than the law
+ * makes it: it rises to the first, and figures do not depend on the end of the search or on weaker winds. */
+static void no_overshoot(void **state)
+{
+    struct pole p;
+    struct wf_peak_parts first, parts;
+    (void)state;
+    make(&p, "en1991", true);
+    for (size_t i = ROWS / 2; i < ROWS; i++) p.c.tree.sail0[i] = p.c.tree.sail1[i] = 1;
+    p.an.loads.streamline = wf_streamline_named("vogel");
+    p.an.loads.streamline_par.number[0] = -1.5, p.an.loads.streamline_par.number[1] = 1;
+    p.an.search.speed_max = 200;
+    assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
+    const double end = p.an.peak->sway[1].speed;
+    assert_close(end, 12, 1e-12);
+    assert_true(p.an.peak->air_rises * end > 2 * p.an.peak->sway[1].air);
+    wf_peak_parts_at(p.an.peak, end, WF_PART_STEM, &first);
+    double before = 0;
+    for (double wind = 0.5; wind < end; wind += 0.5) {
+        wf_peak_parts_at(p.an.peak, wind, WF_PART_STEM, &parts);
+        assert_true(parts.air >= before && parts.air <= first.air);
+        before = parts.air;
+    }
+    const double wide = p.an.peak->tree.breadth, there = wf_peak_gusts(p.an.peak, speed);
+    const double with_light[] = { 0.1, speed };
+    p.an.search.speed_max = 60;
+    assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, with_light, 2, &p.c.arena, NULL, &p.c.err), WF_OK);
+    assert_true(wide > 0 && p.an.peak->tree.breadth == wide);
+    assert_close(wf_peak_gusts(p.an.peak, speed), there, 1e-9);
     wf_arena_free(&p.c.arena);
 }
 
@@ -459,21 +500,14 @@ static void interrupted_without_a_load(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(modes_of_a_pole),
-        cmocka_unit_test(modes_in_wind),
-        cmocka_unit_test(sways_as_a_cantilever),
-        cmocka_unit_test(damped_by_the_air),
-        cmocka_unit_test(light_winds),
-        cmocka_unit_test(given_winds_are_sways),
-        cmocka_unit_test(multiplies_the_wind_alone),
-        cmocka_unit_test(methods_without_sway),
-        cmocka_unit_test(stands),
-        cmocka_unit_test(stand_of_a_held_crown),
-        cmocka_unit_test(moments_of_stands),
-        cmocka_unit_test(critical_at_the_peak),
-        cmocka_unit_test(crowds),
-        cmocka_unit_test(sways_as_asked),
-        cmocka_unit_test(interrupted_without_a_load),
+        cmocka_unit_test(modes_of_a_pole),       cmocka_unit_test(modes_in_wind),
+        cmocka_unit_test(sways_as_a_cantilever), cmocka_unit_test(damped_by_the_air),
+        cmocka_unit_test(light_winds),           cmocka_unit_test(given_winds_are_sways),
+        cmocka_unit_test(no_overshoot),          cmocka_unit_test(multiplies_the_wind_alone),
+        cmocka_unit_test(methods_without_sway),  cmocka_unit_test(stands),
+        cmocka_unit_test(stand_of_a_held_crown), cmocka_unit_test(moments_of_stands),
+        cmocka_unit_test(critical_at_the_peak),  cmocka_unit_test(crowds),
+        cmocka_unit_test(sways_as_asked),        cmocka_unit_test(interrupted_without_a_load),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

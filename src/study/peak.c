@@ -28,27 +28,56 @@ static void columns(const struct wf_peak *p, double speed[], double frequency[],
     }
 }
 
+/* The slope by which a curve leaves a point upwards: where it has turned below the point, that of the chord.
+ */
+static void slopes_upwards(size_t n, const double *speed, const double *value, double *slope)
+{
+    wf_curve_slopes(n, speed, value, slope);
+    for (size_t i = 1; i + 1 < n; i++)
+        if (slope[i] == 0.0) slope[i] = (value[i + 1] - value[i]) / (speed[i + 1] - speed[i]);
+}
+
 void wf_peak_sways_take(struct wf_peak *p)
 {
     double speed[WF_PEAK_SWAYS], frequency[WF_PEAK_SWAYS], air[WF_PEAK_SWAYS];
     columns(p, speed, frequency, air);
     if (p->sways < 2) return;
-    wf_curve_slopes(p->sways, speed, frequency, p->slope[0]);
-    wf_curve_slopes(p->sways, speed, air, p->slope[1]);
-    /* loads grow with the square of the wind: the frequency so, the damping with the wind */
-    if (speed[0] == 0.0) p->slope[0][0] = 0.0, p->slope[1][0] = p->air_rises;
+    slopes_upwards(p->sways, speed, frequency, p->slope[0]);
+    slopes_upwards(p->sways, speed, air, p->slope[1]);
+    if (speed[0] == 0.0) p->slope[0][0] = 0.0; /* loads grow with the square of the wind */
 }
 
-/* A number of the sway between two of them: a parabola with the slope of the curve at the lower one, which
- * depends on no sway above the two. It does not overshoot (that slope is at most twice the chord's) but above
- * still air, where the slope is that of the physics. */
-static double between(size_t n, const double *speed, const double *value, const double *slope, double at)
+/* The sway below a speed above the first, not the last of them. */
+static size_t sway_below(size_t n, const double *speed, double at)
 {
     size_t i = 0;
     while (i + 2 < n && at >= speed[i + 1]) i++;
+    return i;
+}
+
+/* A number of the sway between two of them: a parabola with the slope of the curve at the lower one, which
+ * does not overshoot (that slope is at most twice the chord's) and depends on no sway above the two. */
+static double between(size_t n, const double *speed, const double *value, const double *slope, double at)
+{
+    const size_t i = sway_below(n, speed, at);
     const double width = speed[i + 1] - speed[i], rise = value[i + 1] - value[i];
     const double s = fmin(fmax((at - speed[i]) / width, 0.0), 1.0), tangent = width * slope[i];
     return value[i] + s * (tangent + s * (rise - tangent));
+}
+
+/* Damping of the air. Above still air a parabola that begins with that of a light wind, up to that of the
+ * first sway: the maximum that crowns which streamline have between is left out, on the safe side. Where it
+ * falls it does so ever more slowly, by equal ratios: a parabola would be too high. */
+static double air_at(const struct wf_peak *p, const double *speed, const double *air, double at)
+{
+    const size_t i = sway_below(p->sways, speed, at);
+    const double *value = air + i, s = fmin(fmax((at - speed[i]) / (speed[i + 1] - speed[i]), 0.0), 1.0);
+    if (i == 0 && speed[0] == 0.0) {
+        const double begin = p->air_rises * speed[1];
+        return fmin(value[1], s * (begin + s * (value[1] - begin)));
+    }
+    if (value[1] > 0.0 && value[1] < value[0]) return value[0] * pow(value[1] / value[0], s);
+    return between(p->sways, speed, air, p->slope[1], at);
 }
 
 /* Frequency and aerodynamic damping at a speed; participation and mass are those of the nearest speed. */
@@ -61,7 +90,7 @@ static struct wf_sway sway_at(const struct wf_peak *p, double at)
     if (p->sways < 2) return out;
     columns(p, speed, frequency, air);
     out.frequency = between(p->sways, speed, frequency, p->slope[0], at);
-    out.air = between(p->sways, speed, air, p->slope[1], at);
+    out.air = air_at(p, speed, air, at);
     return out;
 }
 

@@ -23,7 +23,7 @@ struct wf_sway {
     double air;           /* aerodynamic damping, not limited, of critical [-] */
 };
 
-enum { WF_PEAK_SWAYS = 12, WF_PEAK_OTHERS = 2 };
+enum { WF_PEAK_SWAYS = 24, WF_PEAK_OTHERS = 2 };
 /* The peak load of one tree in the wind from one direction; by wf_sway_set_up (study/sway.h). */
 struct wf_peak {
     const struct wf_peak_method *method;

@@ -73,14 +73,13 @@ static void light_loads(const struct wf_analysis *an, const struct wf_response *
     const struct wf_tree *t = &an->tree;
     struct wf_wind wind = an->wind;
     struct wf_loads loads = an->loads;
-    wind.speed = wf_scenario_speed(&an->scenario, speed);
-    loads.wind = &wind;
+    wind.speed = wf_scenario_speed(&an->scenario, speed), loads.wind = &wind;
     for (size_t i = 0; i < t->n; i++) {
-        const double *end = still->end + 3 * i,
-                     *base = t->parent[i] < 0 ? NULL : still->end + 3 * t->parent[i];
+        const int32_t below = t->parent[i];
         double from[3] = { t->x0[i], t->y0[i], t->z0[i] }, to[3] = { t->x1[i], t->y1[i], t->z1[i] }, axis[3];
         for (int k = 0; k < 3; k++)
-            from[k] += base ? base[k] : 0.0, to[k] += end[k], axis[k] = to[k] - from[k];
+            from[k] += below < 0 ? 0.0 : still->end[3 * below + k], to[k] += still->end[3 * (int32_t)i + k];
+        for (int k = 0; k < 3; k++) axis[k] = to[k] - from[k];
         const double length = wf_tree_length(t, i), chord = norm3(axis);
         for (int k = 0; k < 3; k++) axis[k] /= chord, load[3 * i + (size_t)k] = 0.0;
         for (int j = 0; j < 2; j++) {
@@ -93,21 +92,6 @@ static void light_loads(const struct wf_analysis *an, const struct wf_response *
                 load[3 * i + (size_t)k] += 0.5 * length * (parts.drag_axis[k] + parts.drag_crown[k]);
         }
     }
-}
-
-/* Slope by the wind speed of the aerodynamic damping in still air, where loads grow with the square of the
- * wind: damping over speed in a light wind on the shape in still air [s/m]. */
-static double damping_rises(const struct wf_analysis *an, const struct wf_response *still,
-                            const struct wf_modes_sway *m, const double *shape)
-{
-    const double light = 1.0; /* [m/s] */
-    struct wf_arena scratch = { 0 };
-    double *load = WF_TAKE(&scratch, 3 * an->tree.n, double);
-    struct wf_response r = *still;
-    double sum = 0.0;
-    if (load) light_loads(an, still, light, r.load = load), sum = damping_sum(an, &r, light, 0.0, shape);
-    wf_arena_free(&scratch);
-    return sum / (2.0 * WF_TURN * m->frequency * m->share * m->inertia * light);
 }
 
 /* ---- For the peak load ---- */
@@ -141,6 +125,22 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
                              .air = air / (2.0 * WF_TURN * m->frequency * modal) };
 }
 
+/* What a light wind does to the tree in still air, where loads grow with the square of the wind: the slope of
+ * the damping by the wind speed, and the extent of the load. */
+static enum wf_status take_still(const struct wf_analysis *an, const struct wf_response *still,
+                                 const struct wf_modes_sway *m, const double *shape, struct wf_arena *scratch,
+                                 struct wf_peak *p, struct wf_err *e)
+{
+    const double light = 1.0 /* [m/s] */, per = 2.0 * WF_TURN * m->frequency * m->share * m->inertia * light;
+    struct wf_response r = *still;
+    if (!(r.load = WF_TAKE(scratch, 3 * an->tree.n, double)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+    light_loads(an, still, light, r.load);
+    p->air_rises = damping_sum(an, &r, light, 0.0, shape) / per;
+    p->tree.breadth = breadth_of(an, r.load);
+    return WF_OK;
+}
+
 /* Of a sway's frequency: half the width of a mode with a damping of 0.1; and bands for comparison, of damping
  * between 0.08 and 0.125: in a crowd of modes a mode at the edge decides. */
 enum { BANDS = 1 + WF_PEAK_OTHERS };
@@ -159,8 +159,7 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
     const struct wf_track_start near = { .alone = next > WF_TRACK_NEAR * speed };
     enum wf_status s = wf_speed_track(an, WF_PART_MEAN, track, speed, &near, &scratch, &r, &why);
     bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, bands, m, shape, &why);
-    if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
-    if (known && speed == 0.0) p->air_rises = damping_rises(an, &r.at.response, &m[0], shape);
+    if (known && speed == 0.0) known = !take_still(an, &r.at.response, &m[0], shape, &scratch, p, &why);
     if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m[0], shape);
     for (size_t k = 1; k < bands && known; k++)
         p->other[p->others++] = sway_of(an, &r.at, &m[k], shape + 3 * an->tree.n * k);
@@ -168,25 +167,28 @@ static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_
     return known;
 }
 
+/* Is a speed among those, or nearer to one than that? */
 static bool beside(const double *speed, size_t n, double x, double near)
 {
-    for (size_t i = 0; i < n; i++)
-        if (fabs(speed[i] - x) < near) return true;
-    return false;
+    while (n && fabs(speed[n - 1] - x) > near) n--;
+    return n > 0;
 }
 
-/* Speeds at which sways are computed: still air, the given ones, the end of the search, and some between that
- * are not near any of these. */
+/* Speeds of sways: still air, the end of the search, the given ones (where they are many some of them, the
+ * lowest and the highest among these), and fixed ones that are not near any of these. */
 static size_t pick_speeds(const struct wf_analysis *an, const double *given, size_t n, double *out)
 {
-    const double shares[] = { 0.0, 1.0, 0.2, 0.4, 0.7 }, end = an->search.speed_max, near = 0.05;
-    const size_t fixed = 2;
-    size_t k = 0;
-    for (size_t i = 0; i < fixed; i++) out[k++] = shares[i] * end;
-    for (size_t i = 0; i < n && k + WF_COUNT(shares) - fixed < WF_PEAK_SWAYS; i++)
-        if (!beside(out, k, given[i], 1e-3 * end)) out[k++] = given[i];
-    for (size_t i = fixed; i < WF_COUNT(shares); i++)
-        if (!beside(out, k, shares[i] * end, near * end)) out[k++] = shares[i] * end;
+    const double fixed[] = { 12, 24, 42, 60, 90, 140 }, near = 3, same = 0.05; /* [m/s] */
+    const double end = an->search.speed_max;
+    const size_t room = WF_PEAK_SWAYS - 2 - WF_COUNT(fixed), some = n < room ? n : room;
+    size_t k = 2;
+    out[0] = 0.0, out[1] = end;
+    for (size_t i = 0; i < some; i++) {
+        const double speed = given[some > 1 ? i * (n - 1) / (some - 1) : n - 1];
+        if (!beside(out, k, speed, same)) out[k++] = speed;
+    }
+    for (size_t i = 0; i < WF_COUNT(fixed) && fixed[i] < end; i++)
+        if (!beside(out, k, fixed[i], near)) out[k++] = fixed[i];
     return k;
 }
 
@@ -535,8 +537,7 @@ static void take_alike(struct wf_peak *p, const struct wf_peak *like, const stru
     double frequency = sqrt(other->compliance / own->compliance / mass);
     double air = own->drag / other->drag / (mass * frequency);
     p->sways = like->sways, p->others = 0;
-    p->tree.breadth = like->tree.breadth;
-    p->air_rises = like->air_rises * air;
+    p->tree.breadth = like->tree.breadth, p->air_rises = like->air_rises * air;
     for (size_t i = 0; i < p->sways; i++) {
         p->sway[i] = like->sway[i];
         p->sway[i].frequency *= frequency, p->sway[i].mass *= mass, p->sway[i].air *= air;
