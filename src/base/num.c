@@ -111,14 +111,3 @@ void wf_curve_slopes(size_t n, const double *x, const double *y, double *slope)
         slope[i] = a * b > 0.0 ? copysign(fmin(2.0 * fmin(fabs(a), fabs(b)), middle), a) : 0.0;
     }
 }
-
-double wf_curve_at(size_t n, const double *x, const double *y, const double *slope, double at)
-{
-    size_t i = 0;
-    if (!(at > x[0])) return y[0];
-    if (at >= x[n - 1]) return y[n - 1];
-    while (at >= x[i + 1]) i++;
-    double width = x[i + 1] - x[i], s = (at - x[i]) / width, rise = y[i + 1] - y[i];
-    return y[i] + s * (width * slope[i] + s * (3.0 * rise - width * (2.0 * slope[i] + slope[i + 1]) +
-                                               s * (width * (slope[i] + slope[i + 1]) - 2.0 * rise)));
-}

@@ -12,11 +12,9 @@
 
 /* Linear interpolation: a at s = 0, b at s = 1. */
 static inline double wf_between(double a, double b, double s) { return a + (b - a) * s; }
-/* A curve through n >= 2 points without overshoot, with a continuous derivative: slopes at the points
- * (x ascending), and the value at `at`; beyond the ends the curve is constant. Source: Steffen M. 1990,
- * Astron. Astrophys. 239:443-450, eqs 2, 8, 11. */
+/* Slopes at n >= 2 points (x ascending) of a cubic curve through them without overshoot, with a continuous
+ * derivative. Source: Steffen M. 1990, Astron. Astrophys. 239:443-450, eqs 8, 11. */
 void wf_curve_slopes(size_t n, const double *x, const double *y, double *slope);
-double wf_curve_at(size_t n, const double *x, const double *y, const double *slope, double at);
 /* For qsort: doubles in ascending order. */
 int wf_ascending(const void *a, const void *b);
 

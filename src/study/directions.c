@@ -26,6 +26,7 @@ struct work {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     struct wf_directions *out;
+    const double *given;         /* speeds */
     struct wf_nodes *like;       /* of the first direction */
     const struct wf_peak **peak; /* of each direction */
     struct wf_arena *arena;      /* of each direction, for them */
@@ -51,8 +52,7 @@ static enum wf_status sway(void *context, size_t k, struct wf_err *e)
     const struct work *w = context;
     struct wf_analysis an;
     turn_wind(w, k + 1, &an);
-    const double given[] = { w->an->at[w->an->n - 1].speed };
-    enum wf_status s = wf_sway_turned(&an, w->peak[0], w->o, given, 1, &w->arena[k + 1], e);
+    enum wf_status s = wf_sway_turned(&an, w->peak[0], w->o, w->given, w->an->n, &w->arena[k + 1], e);
     w->peak[k + 1] = an.peak;
     return s;
 }
@@ -62,8 +62,7 @@ static enum wf_status sways(struct work *w, size_t threads, struct wf_err *e)
 {
     struct wf_analysis an;
     turn_wind(w, 0, &an);
-    const double given[] = { w->an->at[w->an->n - 1].speed };
-    enum wf_status s = wf_sway_begin(&an, w->o, given, 1, &w->arena[0], NULL, e);
+    enum wf_status s = wf_sway_begin(&an, w->o, w->given, w->an->n, &w->arena[0], NULL, e);
     if (!s) wf_sway_reach(&an, INFINITY);
     w->peak[0] = an.peak;
     if (!s) s = wf_parallel(w->out->request.n - 1, threads, sway, w, e);
@@ -168,15 +167,20 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     if (s) return s;
     struct wf_solve_options alone = *o;
     alone.threads = 1; /* the parallel loop is over directions */
-    struct work w = {
-        an, &alone, out, NULL, WF_TAKE(a, q->n, const struct wf_peak *), WF_TAKE(a, q->n, struct wf_arena)
-    };
+    double *given = WF_TAKE(a, an->n, double);
+    struct work w = { .an = an,
+                      .o = &alone,
+                      .out = out,
+                      .given = given,
+                      .peak = WF_TAKE(a, q->n, const struct wf_peak *),
+                      .arena = WF_TAKE(a, q->n, struct wf_arena) };
     struct wf_analysis first; /* outlives the nodes that the other directions take */
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
     double *gusts = WF_TAKE(a, q->n * an->n, double);
     out->direction = WF_TAKE(a, q->n, struct wf_direction);
-    if (!out->direction || !at || !gusts || !w.peak)
+    if (!out->direction || !at || !gusts || !w.peak || !w.arena || !given)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
+    for (size_t i = 0; i < an->n; i++) given[i] = an->at[i].speed;
     for (size_t k = 0; k < q->n; k++) {
         out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;

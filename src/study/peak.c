@@ -28,13 +28,22 @@ static void columns(const struct wf_peak *p, double speed[], double frequency[],
     }
 }
 
-/* The slope by which a curve leaves a point upwards: where it has turned below the point, that of the chord.
- */
+/* The slopes by which a curve through the sways leaves each of them upwards: those of wf_curve_slopes, from
+ * the next sway below that is not so near that the slope would be that of rounding; where the curve has
+ * turned below, that of the chord above. */
 static void slopes_upwards(size_t n, const double *speed, const double *value, double *slope)
 {
-    wf_curve_slopes(n, speed, value, slope);
-    for (size_t i = 1; i + 1 < n; i++)
-        if (slope[i] == 0.0) slope[i] = (value[i + 1] - value[i]) / (speed[i + 1] - speed[i]);
+    const double near = 1.0; /* [m/s] */
+    slope[0] = (value[1] - value[0]) / (speed[1] - speed[0]);
+    slope[n - 1] = 0.0; /* nothing is above */
+    for (size_t i = 1; i + 1 < n; i++) {
+        size_t k = i - 1;
+        while (k && speed[i] - speed[k] < near) k--;
+        const double x[] = { speed[k], speed[i], speed[i + 1] }, y[] = { value[k], value[i], value[i + 1] };
+        double at[3];
+        wf_curve_slopes(3, x, y, at);
+        slope[i] = at[1] != 0.0 ? at[1] : (y[2] - y[1]) / (x[2] - x[1]);
+    }
 }
 
 void wf_peak_sways_take(struct wf_peak *p)
@@ -47,7 +56,7 @@ void wf_peak_sways_take(struct wf_peak *p)
     if (speed[0] == 0.0) p->slope[0][0] = 0.0; /* loads grow with the square of the wind */
 }
 
-/* The sway below a speed above the first, not the last of them. */
+/* Index of the last sway at or below a speed, at most the last but one. */
 static size_t sway_below(size_t n, const double *speed, double at)
 {
     size_t i = 0;

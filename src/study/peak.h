@@ -48,7 +48,8 @@ struct wf_peak {
     size_t sways;    /* 0: unknown, the frequency of most resonance is taken */
     struct wf_sway sway[WF_PEAK_SWAYS];
     double air_rises;               /* slope of air by speed in still air [s/m] */
-    double slope[2][WF_PEAK_SWAYS]; /* of frequency and air by speed */
+    double slope[2][WF_PEAK_SWAYS]; /* of frequency and air by speed, upwards; that of air in still air is
+                                       above */
     struct wf_sway_search *more;    /* finds those at higher speeds when they are asked for (study/sway.h) */
     struct wf_track *about;         /* the states in mean winds about which sways are found, as long as `more`
                                        (solve/track.h); NULL: none */

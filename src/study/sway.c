@@ -178,8 +178,8 @@ static bool beside(const double *speed, size_t n, double x, double near)
  * lowest and the highest among these), and fixed ones that are not near any of these. */
 static size_t pick_speeds(const struct wf_analysis *an, const double *given, size_t n, double *out)
 {
-    const double fixed[] = { 12, 24, 42, 60, 90, 140 }, near = 3, same = 0.05; /* [m/s] */
-    const double end = an->search.speed_max;
+    const double fixed[] = { 12, 24, 42, 60, 90, 140 }, near = 1, same = 0.05; /* [m/s] */
+    const double end = an->search.speed_max, top = fmax(end, n ? given[n - 1] : 0.0);
     const size_t room = WF_PEAK_SWAYS - 2 - WF_COUNT(fixed), some = n < room ? n : room;
     size_t k = 2;
     out[0] = 0.0, out[1] = end;
@@ -187,7 +187,7 @@ static size_t pick_speeds(const struct wf_analysis *an, const double *given, siz
         const double speed = given[some > 1 ? i * (n - 1) / (some - 1) : n - 1];
         if (!beside(out, k, speed, same)) out[k++] = speed;
     }
-    for (size_t i = 0; i < WF_COUNT(fixed) && fixed[i] < end; i++)
+    for (size_t i = 0; i < WF_COUNT(fixed) && fixed[i] < top; i++)
         if (!beside(out, k, fixed[i], near)) out[k++] = fixed[i];
     return k;
 }
