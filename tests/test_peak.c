@@ -102,6 +102,15 @@ static void damped_by_the_air(void **state)
     wf_arena_free(&p.c.arena);
 }
 
+/* The pole with a crown whose load grows with that power less of the wind, from a speed on [m/s]. */
+static void make_streamlined(struct pole *p, double power, double from)
+{
+    make(p, "en1991", true);
+    for (size_t i = ROWS / 2; i < ROWS; i++) p->c.tree.sail0[i] = p->c.tree.sail1[i] = 1;
+    p->an.loads.streamline = wf_streamline_named("vogel");
+    p->an.loads.streamline_par.number[0] = power, p->an.loads.streamline_par.number[1] = from;
+}
+
 /* Between still air and the first sway the damping of the air begins with the wind, by the closed form above,
  * and the frequency level. With a crown that gives less and less load the damping then grows more slowly:
  * between sways it is near the one found there. */
@@ -121,10 +130,7 @@ static void light_winds(void **state)
     assert_close(parts.frequency, f, 1e-4);
     wf_arena_free(&p.c.arena);
     for (size_t k = 0; k < 3; k++) {
-        make(&p, "en1991", true);
-        for (size_t i = ROWS / 2; i < ROWS; i++) p.c.tree.sail0[i] = p.c.tree.sail1[i] = 1;
-        p.an.loads.streamline = wf_streamline_named("vogel");
-        p.an.loads.streamline_par.number[0] = -0.8, p.an.loads.streamline_par.number[1] = 3;
+        make_streamlined(&p, -0.8, 3);
         assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
         wf_peak_parts_at(p.an.peak, light[k], WF_PART_STEM, &parts);
         assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, &light[k], 1, &p.c.arena, NULL, &p.c.err),
@@ -136,8 +142,8 @@ static void light_winds(void **state)
     }
 }
 
-/* Winds above and below a given one, of 30 the lowest, the highest and some between, are sways; fixed speeds
- * beside them are left out. */
+/* Every given wind has a sway, of 30 the lowest, the highest and some between; fixed speeds beside them are
+ * left out. */
 static void given_winds_are_sways(void **state)
 {
     const double given[] = { 10, 10.5, 13, 59.5 };
@@ -159,17 +165,14 @@ static void given_winds_are_sways(void **state)
     wf_arena_free(&p.c.arena);
 }
 
-/* However far apart the first sways lie, the damping between them does not exceed them by more than the law
- * makes it: it rises to the first, and figures do not depend on the end of the search or on weaker winds. */
+/* The damping rises from still air to that of the first sway and not above it. The factor at a given wind
+ * depends neither on the end of the search nor on a weaker given wind. */
 static void no_overshoot(void **state)
 {
     struct pole p;
     struct wf_peak_parts first, parts;
     (void)state;
-    make(&p, "en1991", true);
-    for (size_t i = ROWS / 2; i < ROWS; i++) p.c.tree.sail0[i] = p.c.tree.sail1[i] = 1;
-    p.an.loads.streamline = wf_streamline_named("vogel");
-    p.an.loads.streamline_par.number[0] = -1.5, p.an.loads.streamline_par.number[1] = 1;
+    make_streamlined(&p, -1.5, 1);
     p.an.search.speed_max = 200;
     assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
     const double end = p.an.peak->sway[1].speed;

@@ -312,8 +312,6 @@ static void sheltered_wind(void **state)
     beam_free(&c);
 }
 
-/* A twig too long to stand by itself on a tree that does: both solvers answer and warn; as heavy as the tree
- * it is not let through as it stands. */
 /* A wind that grows with height: the beam in which the rod begins has its pieces. */
 static void sheared_wind(void **state)
 {
@@ -332,6 +330,8 @@ static void sheared_wind(void **state)
         }
 }
 
+/* A twig too long to stand by itself on a tree that does: both solvers answer and warn; as heavy as the tree
+ * it is not let through as it stands. */
 static void loose_twig(void **state)
 {
     (void)state;

@@ -69,11 +69,11 @@ static double damping_sum(const struct wf_analysis *an, const struct wf_response
 static void light_loads(const struct wf_analysis *an, const struct wf_response *still, double speed,
                         double *load)
 {
-    static const double gauss[2] = { 0.21132486540518712, 0.78867513459481288 };
     const struct wf_tree *t = &an->tree;
     struct wf_wind wind = an->wind;
     struct wf_loads loads = an->loads;
-    wind.speed = wf_scenario_speed(&an->scenario, speed), loads.wind = &wind;
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
+    wf_loads_blow(&loads, &wind);
     for (size_t i = 0; i < t->n; i++) {
         const int32_t below = t->parent[i];
         double from[3] = { t->x0[i], t->y0[i], t->z0[i] }, to[3] = { t->x1[i], t->y1[i], t->z1[i] }, axis[3];
@@ -83,10 +83,10 @@ static void light_loads(const struct wf_analysis *an, const struct wf_response *
         const double length = wf_tree_length(t, i), chord = norm3(axis);
         for (int k = 0; k < 3; k++) axis[k] /= chord, load[3 * i + (size_t)k] = 0.0;
         for (int j = 0; j < 2; j++) {
-            const struct wf_line_point point = wf_line_point_of(t, i, gauss[j]);
+            const struct wf_line_point point = wf_line_point_of(t, i, gauss_place[j]);
             struct wf_line_parts parts;
             double x[3];
-            for (int k = 0; k < 3; k++) x[k] = wf_between(from[k], to[k], gauss[j]);
+            for (int k = 0; k < 3; k++) x[k] = wf_between(from[k], to[k], gauss_place[j]);
             wf_load_parts_on_line(&loads, &point, x, axis, &parts);
             for (int k = 0; k < 3; k++)
                 load[3 * i + (size_t)k] += 0.5 * length * (parts.drag_axis[k] + parts.drag_crown[k]);
