@@ -62,6 +62,11 @@ static struct wf_arena *newton_of(struct wf_track *k, const struct wf_loads *l)
     return l->links ? &k->work : &k->newton;
 }
 
+int32_t wf_track_pieces(const struct wf_track *k, size_t row)
+{
+    return k->solved ? wf_beam_pieces(&k->beam.mesh, row) : 0;
+}
+
 void wf_track_close(struct wf_track *k)
 {
     if (k) wf_arena_free(&k->work);

@@ -23,6 +23,8 @@ void wf_track_few(struct wf_track *k, const struct wf_beam_few *few);
 /* The solution nearest to a wind speed [m/s], if one is near, for another to begin with its shape, until the
  * next call; NULL: none. */
 const struct wf_beam *wf_track_near(struct wf_track *k, double speed);
+/* Elements of a row on the mesh of the last solution; 0: there is none. */
+int32_t wf_track_pieces(const struct wf_track *k, size_t row);
 /* NULL is allowed. */
 void wf_track_close(struct wf_track *k);
 

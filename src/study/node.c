@@ -333,6 +333,37 @@ static enum wf_status solve_state(struct wf_nodes *k, struct sequence *q, enum w
     return s;
 }
 
+/* The track of a tolerance; NULL: there is none. */
+static const struct wf_track *track_of(const struct wf_nodes *k, double tolerance, enum wf_node_part part)
+{
+    for (int i = 0; i < TRACKS; i++) {
+        const struct sequence *q = &k->sequence[i];
+        if (q->track[0] && q->tolerance == tolerance) return q->track[part] ? q->track[part] : q->track[0];
+    }
+    return NULL;
+}
+
+/* Is a row, or does it carry, or is it carried by another? The rows of a branch are not in sequence. */
+static bool on_way(const struct wf_tree *t, int32_t row, int32_t other)
+{
+    int32_t up = row > other ? row : other;
+    const int32_t down = row > other ? other : row;
+    while (up > down) up = t->parent[up];
+    return up == down;
+}
+
+double wf_nodes_finer(const struct wf_nodes *k, enum wf_node_part part, double coarse, double fine,
+                      int32_t row)
+{
+    const struct wf_track *track[2] = { track_of(k, coarse, part), track_of(k, fine, part) };
+    double n[2] = { 0, 0 };
+    if (!track[0] || !track[1]) return 0;
+    for (size_t i = 0; i < k->an->tree.n; i++)
+        if (row < 0 || on_way(&k->an->tree, row, (int32_t)i))
+            for (int m = 0; m < 2; m++) n[m] += wf_track_pieces(track[m], i);
+    return n[0] > 0 ? n[1] / n[0] : 0;
+}
+
 enum wf_status wf_nodes_ready(struct wf_nodes *k, struct wf_err *e)
 {
     if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted");

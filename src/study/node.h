@@ -98,6 +98,10 @@ enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options 
 /* The same for one state: the other need not be known. */
 enum wf_status wf_nodes_solve_part(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
                                    enum wf_node_part part, const struct wf_node **out, struct wf_err *e);
+/* How many times as many elements as on the mesh of one tolerance there are on that of another, in all rows
+ * (row -1) or in those that a row carries or is carried by, itself included [-]; 0: a mesh is not known. */
+double wf_nodes_finer(const struct wf_nodes *k, enum wf_node_part part, double coarse, double fine,
+                      int32_t row);
 /* The least safety at a node of the branches that are listed, from an->search.branches_from on [-]; NAN: none
  * are, or not known. */
 double wf_node_branch_safety(const struct wf_analysis *an, const struct wf_node *node);

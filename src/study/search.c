@@ -453,14 +453,29 @@ static enum wf_status totals_there(const struct search *q, const struct wf_solve
     return WF_OK;
 }
 
-/* Is the stem's crossing on a mesh ten times as coarse as specified good enough? Its errors are loads summed
- * over all branches (criteria of the shape are not searched so): it moves with the tolerance of the
- * mesh or faster, and by what it moved from the mesh of the search the rest is bounded. */
+/* Is the crossing on a mesh ten times as coarse as specified good enough? By what it moved from the mesh of
+ * the search the rest is bounded: errors of loads summed over all branches (criteria of the shape are not
+ * searched so) fall with the tolerance of the mesh or faster, those of one branch with the third power of its
+ * elements or faster, which grow with the tolerance of the whole tree or do not. */
 static bool settled(const struct search *q, const struct wf_solve_options *quick,
-                    const struct wf_solve_options *fine, double before, double now)
+                    const struct wf_solve_options *fine, const struct wf_node *node, double before,
+                    double now)
 {
-    double left = fabs(now - before) * q->o->mesh_tolerance / (quick->mesh_tolerance - q->o->mesh_tolerance);
-    return left <= fine->mesh_tolerance * now;
+    const double coarse = quick->mesh_tolerance, between = q->o->mesh_tolerance;
+    const int32_t row = state_of(q, node)->worst[q->criterion][q->scope].row;
+    double falls = coarse / between;
+    if (q->scope == WF_SCOPE_BRANCHES)
+        falls = fmin(falls, pow(wf_nodes_finer(q->nodes, WF_NODE_BRANCHES, coarse, between, row), 3));
+    return falls > 1 && fabs(now - before) <= (falls - 1) * fine->mesh_tolerance * now;
+}
+
+/* Is a crossing worth a solution on a mesh ten times as coarse as specified? That of a branch is where this
+ * mesh is much finer than that of the search. */
+static bool worth_between(const struct search *q, const struct wf_solve_options *quick, double between)
+{
+    const double much = 2, coarse = quick->mesh_tolerance;
+    if (wf_criteria[q->criterion].shape || 10 * between > coarse) return false;
+    return q->scope == WF_SCOPE_STEM || wf_nodes_finer(q->nodes, WF_NODE_STEM, coarse, between, -1) >= much;
 }
 
 /* Options of the solutions with slopes that a crossing is taken from: what Newton's method leaves is squared
@@ -484,12 +499,11 @@ static enum wf_status finish(struct search *q, const struct wf_solve_options *qu
     double step = 0.0, before = c->speed;
     between.mesh_tolerance *= coarser;
     between = polished(&between);
-    bool between_first = q->scope == WF_SCOPE_STEM && !wf_criteria[q->criterion].shape &&
-                         coarser * between.mesh_tolerance <= quick->mesh_tolerance;
     if (q->an->search.bare && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
+    const bool between_first = worth_between(q, quick, between.mesh_tolerance);
     q->o = between_first ? &between : &exact;
     enum wf_status s = polish_sloped(q, c, &node, &step, e);
-    if (!s && between_first && !settled(q, quick, fine, before, c->speed)) {
+    if (!s && between_first && !settled(q, quick, fine, node, before, c->speed)) {
         q->o = &exact;
         s = polish_sloped(q, c, &node, &step, e);
     }
