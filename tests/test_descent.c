@@ -95,6 +95,70 @@ static void breaks_of(struct beam_case *c, const struct wf_solver *solver, struc
     wf_nodes_close(nodes);
 }
 
+/* Elements of a row and of the rows that carry it and that it carries, one by one, on the mesh of a fresh
+ * solution at a tolerance. */
+static void finer_counts_the_rows_on_the_way(void **state)
+{
+    (void)state;
+    static const double tolerance[2] = { 1e-3, 1e-7 };
+    struct beam_case c;
+    struct wf_analysis an;
+    double table[2][4];
+    random_tree(&c, 7919, table);
+    analysis_of(&c, &wf_solver_beam, &an);
+    struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
+    assert_non_null(nodes);
+    assert_true(wf_nodes_finer(nodes, WF_NODE_STEM, tolerance[0], tolerance[1], -1) == 0);
+    for (int k = 0; k < 2; k++) {
+        const struct wf_node *node;
+        struct wf_solve_options o = c.options;
+        o.mesh_tolerance = tolerance[k];
+        assert_int_equal(wf_nodes_solve(nodes, &o, 12, &node, &c.err), WF_OK);
+    }
+    const double all = wf_nodes_finer(nodes, WF_NODE_STEM, tolerance[0], tolerance[1], -1);
+    const double back = wf_nodes_finer(nodes, WF_NODE_STEM, tolerance[1], tolerance[0], -1);
+    const double foot = wf_nodes_finer(nodes, WF_NODE_STEM, tolerance[0], tolerance[1], 0);
+    assert_true(all > 1.5 && foot == all); /* the lowest row carries all others */
+    assert_true(fabs(all * back - 1) < 1e-12);
+    assert_true(wf_nodes_finer(nodes, WF_NODE_STEM, tolerance[0], 1e-5, -1) == 0);
+    double apart = 0;
+    for (int32_t i = STEM; i < ROWS; i++) {
+        const double here = wf_nodes_finer(nodes, WF_NODE_BRANCHES, tolerance[0], tolerance[1], i);
+        /* pieces of a branch are carried by the same rows, and the first carries the rest */
+        assert_true(here == wf_nodes_finer(nodes, WF_NODE_BRANCHES, tolerance[0], tolerance[1],
+                                           STEM + (i - STEM) / PIECES * PIECES));
+        apart = fmax(apart, fabs(here / all - 1));
+    }
+    assert_true(apart > 0.02);
+    wf_nodes_close(nodes);
+    beam_free(&c);
+}
+
+/* The crossing of a branch may be taken from a coarser mesh, but not at the cost of its accuracy. */
+static void branches_are_as_accurate_as_specified(void **state)
+{
+    (void)state;
+    size_t found = 0;
+    for (uint64_t seed = 1; seed <= TREES; seed++) {
+        struct wf_break at[WF_CRITERIA][WF_SCOPES], fine[WF_CRITERIA][WF_SCOPES];
+        struct beam_case c;
+        double table[2][4];
+        random_tree(&c, seed * 7919, table);
+        breaks_of(&c, &wf_solver_beam, at);
+        c.options.mesh_tolerance = 1e-8;
+        breaks_of(&c, &wf_solver_beam, fine);
+        for (int k = 0; k < WF_CRITERIA; k++) {
+            const struct wf_critical *a = &at[k][WF_SCOPE_BRANCHES].critical,
+                                     *b = &fine[k][WF_SCOPE_BRANCHES].critical;
+            if (a->outcome != WF_CRITICAL_FOUND || b->outcome != WF_CRITICAL_FOUND) continue;
+            assert_close(a->speed, b->speed, 2e-7); /* a fifth of the tolerance of the mesh */
+            found++;
+        }
+        beam_free(&c);
+    }
+    assert_true(found > TREES / 4);
+}
+
 /* Least safety at the speed found, by the beam solver alone on a fine mesh. NAN: it finds no equilibrium. */
 static double safety_at(struct beam_case *c, const struct wf_break *b, enum wf_scope scope)
 {
@@ -160,6 +224,8 @@ static void no_failure_is_passed_over(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(no_failure_is_passed_over) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(no_failure_is_passed_over),
+                                        cmocka_unit_test(finer_counts_the_rows_on_the_way),
+                                        cmocka_unit_test(branches_are_as_accurate_as_specified) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -110,13 +110,12 @@ static double step_to_crossing(const struct search *q, const struct wf_node *nod
 {
     const struct wf_node_column *column = &node->column[q->criterion];
     const int32_t row = state_of(q, node)->worst[q->criterion][q->scope].row;
-    double value = 1.0 / safety(q, state_of(q, node)), first;
+    double value = 1.0 / safety(q, state_of(q, node));
     *slope = row < 0 ? 0.0 : (double)column->gain[row];
     if (!(*slope > 0.0)) return NAN;
-    first = (1.0 - value) / *slope;
+    double first = (1.0 - value) / *slope;
     for (size_t i = 0; i < q->an->tree.n; i++) {
-        double at = (double)column->value[i], gain = (double)column->gain[i];
-        double own = (1.0 - at) / gain;
+        const double at = (double)column->value[i], gain = (double)column->gain[i], own = (1.0 - at) / gain;
         if (!(gain > 0.0 && own < first - 1e-7 * node->at.speed) ||
             !wf_scope_holds(q->scope, &q->an->tree, i))
             continue;
@@ -143,9 +142,9 @@ static enum wf_status node_near(const struct search *q, double speed, const stru
     return wf_nodes_solve_part(q->nodes, q->o, speed, part_of(q), out, e);
 }
 
-/* Refine the critical speed found on a coarse mesh to the mesh tolerance of the options by Newton's method in
- * logarithms. Returned: c->speed, and the node it was taken from, with *step from it, the errors of which are
- * those of a power law over so short a step; *step NAN: values and slopes do not lead to the crossing. */
+/* Refine the critical speed found on a coarse mesh to that of the options by Newton's method in logarithms.
+ * Returned: c->speed, and the node it was taken from, with *step from it, whose errors are those of a power
+ * law over so short a step; *step NAN: values and slopes do not lead to the crossing. */
 static enum wf_status polish_sloped(const struct search *q, struct wf_critical *c,
                                     const struct wf_node **node, double *step, struct wf_err *e)
 {
@@ -431,15 +430,15 @@ static const struct wf_node *stem_beside(const struct search *q, double toleranc
     return out;
 }
 
-/* Totals at the critical speed. Where branches have a peak of their own, a node of theirs has no totals of
- * the tree: they are those of the mesh of the search, which is good for the figures that are printed. */
+/* Totals at the critical speed. A node of branches with a peak of their own has no totals of the tree: they
+ * are those of the mesh of the search, which is good for the figures that are printed. */
 static enum wf_status totals_there(const struct search *q, const struct wf_solve_options *quick,
                                    const struct wf_node *node, double step, struct wf_err *e)
 {
     struct wf_break *out = q->out;
-    enum wf_status s = WF_OK;
     const double speed = node->at.speed;
     const struct wf_node *stem = node;
+    enum wf_status s = WF_OK;
     if (!node->state[WF_NODE_STEM].known) {
         stem = stem_beside(q, quick->mesh_tolerance, speed + step);
         if (!stem) s = wf_nodes_solve_part(q->nodes, quick, speed, WF_NODE_STEM, &stem, e);
@@ -453,37 +452,37 @@ static enum wf_status totals_there(const struct search *q, const struct wf_solve
     return WF_OK;
 }
 
-/* Is the crossing on a mesh ten times as coarse as specified good enough? By what it moved from the mesh of
- * the search the rest is bounded: errors of loads summed over all branches (criteria of the shape are not
- * searched so) fall with the tolerance of the mesh or faster, those of one branch with the third power of its
- * elements or faster, which grow with the tolerance of the whole tree or do not. */
-static bool settled(const struct search *q, const struct wf_solve_options *quick,
-                    const struct wf_solve_options *fine, const struct wf_node *node, double before,
-                    double now)
+static const double coarser = 10.0; /* than the specified mesh tolerance */
+
+/* Is the crossing on a coarser mesh than specified good enough? By what it moved from the mesh of the search
+ * the rest is bounded: errors of loads summed over all branches (criteria of the shape are not searched so)
+ * fall with the tolerance of the mesh or faster, of one branch also with the third power of its elements. */
+static bool settled(const struct search *q, const struct wf_solve_options *quick, const struct wf_node *node,
+                    double before, double now)
 {
     const double coarse = quick->mesh_tolerance, between = q->o->mesh_tolerance;
     const int32_t row = state_of(q, node)->worst[q->criterion][q->scope].row;
     double falls = coarse / between;
     if (q->scope == WF_SCOPE_BRANCHES)
         falls = fmin(falls, pow(wf_nodes_finer(q->nodes, WF_NODE_BRANCHES, coarse, between, row), 3));
-    return falls > 1 && fabs(now - before) <= (falls - 1) * fine->mesh_tolerance * now;
+    return falls > 1 && fabs(now - before) * coarser <= (falls - 1) * between * now;
 }
 
-/* Is a crossing worth a solution on a mesh ten times as coarse as specified? That of a branch is where this
- * mesh is much finer than that of the search. */
+/* Is a coarser mesh to be tried? For a branch where it is much finer than that of the search. */
 static bool worth_between(const struct search *q, const struct wf_solve_options *quick, double between)
 {
-    const double much = 2, coarse = quick->mesh_tolerance;
-    if (wf_criteria[q->criterion].shape || 10 * between > coarse) return false;
-    return q->scope == WF_SCOPE_STEM || wf_nodes_finer(q->nodes, WF_NODE_STEM, coarse, between, -1) >= much;
+    if (wf_criteria[q->criterion].shape || coarser * between > quick->mesh_tolerance) return false;
+    return q->scope == WF_SCOPE_STEM ||
+           wf_nodes_finer(q->nodes, WF_NODE_STEM, quick->mesh_tolerance, between, -1) >= 2;
 }
 
 /* Options of the solutions with slopes that a crossing is taken from: what Newton's method leaves is squared
  * by the step that gives the slopes, and need not be less than the mesh's error before. */
-static struct wf_solve_options polished(const struct wf_solve_options *fine)
+static struct wf_solve_options polished(const struct wf_solve_options *fine, double times)
 {
     struct wf_solve_options out = *fine;
-    out.tolerance = fmax(fine->tolerance, fmin(sqrt(fine->tolerance), 0.1 * fine->mesh_tolerance));
+    out.mesh_tolerance *= times;
+    out.tolerance = fmax(fine->tolerance, fmin(sqrt(fine->tolerance), 0.1 * out.mesh_tolerance));
     return out;
 }
 
@@ -491,19 +490,15 @@ static struct wf_solve_options polished(const struct wf_solve_options *fine)
 static enum wf_status finish(struct search *q, const struct wf_solve_options *quick,
                              const struct wf_solve_options *fine, struct wf_err *e)
 {
-    const double coarser = 10.0;
     struct wf_critical *c = &q->out->critical;
-    const struct wf_solve_options exact = polished(fine);
-    struct wf_solve_options between = *fine;
+    const struct wf_solve_options exact = polished(fine, 1.0), between = polished(fine, coarser);
     const struct wf_node *node;
     double step = 0.0, before = c->speed;
-    between.mesh_tolerance *= coarser;
-    between = polished(&between);
     if (q->an->search.bare && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
     const bool between_first = worth_between(q, quick, between.mesh_tolerance);
     q->o = between_first ? &between : &exact;
     enum wf_status s = polish_sloped(q, c, &node, &step, e);
-    if (!s && between_first && !settled(q, quick, fine, node, before, c->speed)) {
+    if (!s && between_first && !settled(q, quick, node, before, c->speed)) {
         q->o = &exact;
         s = polish_sloped(q, c, &node, &step, e);
     }
