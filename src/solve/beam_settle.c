@@ -80,6 +80,27 @@ static void perturb_shape(struct wf_beam *b)
         }
 }
 
+/* A step of the creep from the shape that was saved, by Newton's method to a tight tolerance: within a loose
+ * one the shape near an unstable equilibrium, which is to be left, would rest as it is. */
+static bool creep(struct wf_beam *b, double rate)
+{
+    const double tight = 1e-8;
+    const struct wf_solve_options *own = b->options;
+    struct wf_solve_options o = *own;
+    o.tolerance = fmin(own->tolerance, tight);
+    for (size_t m = 0; m < wf_beam_moving(b); m++) {
+        size_t i = wf_beam_moved(b, m);
+        wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
+    }
+    b->options = &o;
+    b->creep = rate;
+    bool moved = wf_beam_rests(b);
+    b->creep = 0;
+    b->options = own;
+    b->steps++;
+    return moved;
+}
+
 /* Kelvin-Voigt creep under the full load: each step solves the tree with a section moment G^-1 (k + rate (k
  * - k_old)), an implicit Euler step of viscous motion of length 1/rate. If the step is short enough it has a
  * stable solution, however far away the elastic one is. (An unstable equilibrium of a longer step would lead
@@ -92,15 +113,7 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
     b->tilt0 = last->tilt;
     for (int k = 0; k < 400 && b->iterations < most; k++) {
         save_shape(b, last);
-        for (size_t m = 0; m < wf_beam_moving(b); m++) {
-            size_t i = wf_beam_moved(b, m);
-            wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
-        }
-        b->creep = rate;
-        bool moved = wf_beam_rests(b);
-        b->creep = 0;
-        b->steps++;
-        if (!moved) {
+        if (!creep(b, rate)) {
             restore_shape(b, last);
             rate *= 4;
             if (rate > 1e9) return false;
