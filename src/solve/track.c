@@ -505,6 +505,21 @@ static bool check_is_due(const struct wf_track *k, const struct wf_loads *l)
     return !(below && above);
 }
 
+/* Where Newton's method fails from solutions beside this one: all that the beam solver does, with a fine mesh
+ * from coarser ones, on which load steps and creep are cheap. */
+static enum wf_status fall_back(struct wf_track *k, const struct wf_loads *l, struct wf_track *other,
+                                struct wf_arena *scratch, bool *made, struct wf_err *e)
+{
+    *made = !coarse(k) && !keeps_mesh(k);
+    if (*made)
+        return remesh(k, l, other && recall(other, wind_of(l), beside, INFINITY) ? &other->beam : NULL, e);
+    if (start_anew(k, l)) return WF_OK;
+    wf_beam_unbend(&k->beam);
+    k->beam.options = &k->options;
+    k->beam.loads = *l;
+    return wf_beam_settle(&k->beam, scratch, &k->outcome, e);
+}
+
 /* From solutions beside this one, unless that was tried: Newton's method, then all the beam solver does. */
 static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
                             bool tried, struct wf_err *e)
@@ -513,18 +528,16 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     struct wf_arena scratch = { 0 };
     enum wf_status s = WF_OK;
     const bool due = check_is_due(k, l);
+    bool made = false; /* on a new mesh, which meets the tolerance */
     double from = put_start(k, l, start, !tried);
     b->iterations = b->steps = 0;
     k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (!comes_to_rest(k, l, &scratch) && !approach(k, l, from, &scratch) && !start_anew(k, l)) {
-        wf_beam_unbend(b);
-        b->options = &k->options;
-        b->loads = *l;
-        s = wf_beam_settle(b, &scratch, &k->outcome, e);
-    }
+    if (!comes_to_rest(k, l, &scratch) && !approach(k, l, from, &scratch))
+        s = fall_back(k, l, start->other, &scratch, &made, e);
     b->k0 = NULL;
     wf_arena_free(&scratch);
     b->loads = *l;
+    if (made) return s;
     k->solutions++;
     return s || !due ? s : check_mesh(k, l, e);
 }
