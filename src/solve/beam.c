@@ -152,12 +152,28 @@ static bool rests_beside(struct wf_beam *b, const struct wf_beam *from, size_t i
     return rests;
 }
 
+/* From the shape of another solution in the same wind by steps of its load. */
+static bool approaches(struct wf_beam *b, const struct wf_beam *from, struct wf_arena *a)
+{
+    const struct wf_solve_options *own = b->options;
+    struct wf_solve_options soon = *own;
+    if (!b->loads.wind) return false;
+    soon.iterations_max = FOLLOW_ITERATIONS;
+    wf_beam_carry(from, b);
+    b->options = &soon;
+    bool rests = wf_beam_approach(b, b->loads.wind->speed, from->loads.wind_scale, a);
+    b->options = own;
+    return rests;
+}
+
 /* As wf_beam_settle; where Newton's method stalls, first from the shape of `near` (NULL: none). */
 static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near, struct wf_arena *newton,
                                   struct wf_beam_outcome *out, struct wf_err *e)
 {
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (wf_beam_rests(b) || (near && rests_beside(b, near, FOLLOW_ITERATIONS, newton))) return WF_OK;
+    if (wf_beam_rests(b)) return WF_OK;
+    if (near && (rests_beside(b, near, FOLLOW_ITERATIONS, newton) || approaches(b, near, newton)))
+        return WF_OK;
     return wf_beam_step_to_rest(b, newton, out, e);
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_settle.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
 #include "solve/beam_parts.h"
@@ -206,6 +207,36 @@ bool wf_beam_rests_soon(struct wf_beam *b, struct wf_arena *a)
     bool rests = wf_beam_rests(b);
     b->hasty = false;
     return rests || (a && wf_beam_settle_parts(b, a));
+}
+
+bool wf_beam_approach(struct wf_beam *b, double speed, double scale, struct wf_arena *a)
+{
+    enum { TRIES = 16 };
+    const double least = 1.0 / 40;
+    const struct wf_loads full = b->loads;
+    struct wf_wind wind;
+    struct saved_shape last;
+    bool rests = false;
+    if (!full.wind || (speed == full.wind->speed && scale == full.wind_scale) || !take_fallback(b, a, &last))
+        return false;
+    double done = 0, step = 0.5;
+    save_shape(b, &last);
+    for (int tries = 0; tries < TRIES && step > least && !rests; tries++) {
+        const double share = 1 - done <= 1.2 * step ? 1 : done + step;
+        restore_shape(b, &last);
+        wind = *full.wind;
+        wind.speed = wf_between(speed, full.wind->speed, share);
+        b->loads.wind = share < 1 ? &wind : full.wind;
+        b->loads.wind_scale = wf_between(scale, full.wind_scale, share);
+        if (!wf_beam_rests_soon(b, a)) {
+            step *= 0.5;
+            continue;
+        }
+        save_shape(b, &last);
+        done = share, step *= 1.5, rests = share == 1;
+    }
+    b->loads = full;
+    return rests;
 }
 
 enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,

@@ -29,4 +29,8 @@ bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a);
 /* Newton's method from the shape of a near solution, from which it converges soon or not at all: it is ended
  * where it stalls; and wf_beam_settle_parts after it. a: NULL, without that. */
 bool wf_beam_rests_soon(struct wf_beam *b, struct wf_arena *a);
+/* To the loads of b by steps of the wind, each from the shape of the one before by wf_beam_rests_soon and halved
+ * where that fails. Given: the shape, a solution in a wind of that speed [m/s] and wind_scale; memory from `a`.
+ * false: b does not come to rest so; the shape is lost. */
+bool wf_beam_approach(struct wf_beam *b, double speed, double scale, struct wf_arena *a);
 #endif

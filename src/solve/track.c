@@ -374,31 +374,12 @@ static bool start_anew(struct wf_track *k, const struct wf_loads *l)
     return wf_beam_rests(&k->beam);
 }
 
-/* From the last form at the wind speed `from` by smaller steps of the speed, each from the one before. */
+/* From the last form at the wind speed `from` by smaller steps of the speed. */
 static bool approach(struct wf_track *k, const struct wf_loads *l, double from, struct wf_arena *scratch)
 {
-    enum { TRIES = 16 };
-    const double to = wind_of(l);
-    double step = 0.5 * (to - from), now = from;
-    struct wf_wind wind;
-    struct wf_loads loads = *l;
-    if (!l->wind || !(fabs(step) > 0)) return false;
-    wind = *l->wind;
-    loads.wind = &wind;
-    for (int tries = 0; tries < TRIES && fabs(step) > fabs(to - from) / 40; tries++) {
-        bool last = fabs(to - now) <= 1.2 * fabs(step);
-        wind.speed = last ? to : now + step;
-        put_back(k, k->last);
-        if (!comes_to_rest(k, last ? l : &loads, scratch)) {
-            step *= 0.5;
-            continue;
-        }
-        if (last) return true;
-        keep(k, k->last);
-        now = wind.speed;
-        step *= 1.5;
-    }
-    return false;
+    put_back(k, k->last);
+    take_loads(k, l);
+    return wf_beam_approach(&k->beam, from, l->wind_scale, scratch);
 }
 
 /* The form at a wind speed clearly below that of a solution, the nearest; *at: its speed. NULL: none. */
