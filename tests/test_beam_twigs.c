@@ -106,6 +106,43 @@ static void twigs_do_not_stop_a_tree(void **state)
     assert_true(6 * other <= found && most < 1e-3); /* a twig that falls may come to rest on either side */
 }
 
+/* From a light wind by steps of its speed and of its load: the same stem as by load steps of the whole tree,
+ * with less work; the loads are as they were. */
+static void approached_by_steps(void **state)
+{
+    (void)state;
+    const double light = 9, share = 0.8;
+    size_t by_steps = 0, by_whole = 0, reached = 0, known = 0;
+    for (uint64_t seed = 1; seed <= 3 * TREES; seed++) {
+        struct beam_case c;
+        struct wf_arena a = { 0 };
+        struct wf_beam steps, whole;
+        bush(&c, seed);
+        const struct wf_wind full = c.wind;
+        c.loads.wind_scale = 1.4;
+        const bool solved = settle_whole(&c, &a, &whole) == WF_OK;
+        c.wind.speed = light, c.loads.wind_scale = share;
+        if (settle_whole(&c, &a, &steps) == WF_OK) {
+            assert_false(wf_beam_approach(&steps, light, share, &a)); /* it is there */
+            c.wind = full;
+            steps.loads.wind_scale = 1.4;
+            steps.iterations = 0;
+            const bool rests = wf_beam_approach(&steps, light, share, &a);
+            assert_true(steps.loads.wind_scale == 1.4 && steps.loads.wind->speed == full.speed);
+            reached += rests, known += solved;
+            if (rests && solved) {
+                by_steps += steps.iterations, by_whole += whole.iterations;
+                assert_true(apart(&c, &steps, &whole) < 1e-3);
+            }
+        }
+        wf_arena_free(&a);
+        beam_free(&c);
+    }
+    print_message("%zu reached, %zu by the whole tree; iterations %zu, whole %zu\n", reached, known, by_steps,
+                  by_whole);
+    assert_true(reached >= known && known > TREES && by_steps < by_whole);
+}
+
 static bool solve_part(struct wf_beam *b, void *context)
 {
     *(size_t *)context += b->only->n;
@@ -148,6 +185,7 @@ static void a_twig_by_itself(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(twigs_do_not_stop_a_tree),
+                                        cmocka_unit_test(approached_by_steps),
                                         cmocka_unit_test(a_twig_by_itself) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
