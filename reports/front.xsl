@@ -185,6 +185,22 @@
   </xsl:if>
 </xsl:template>
 
+<!-- The branch that is nearest to failing, of those that are listed. -->
+<xsl:template name="front-branch">
+  <xsl:for-each select="verdict/thicknesses/item[safety/value != '']">
+    <xsl:sort select="safety/value" data-type="number"/>
+    <xsl:if test="position() = 1">
+      <xsl:call-template name="front-safety">
+        <xsl:with-param name="id">fp.branch</xsl:with-param>
+        <xsl:with-param name="safety" select="safety/value"/>
+        <xsl:with-param name="required">1</xsl:with-param>
+        <xsl:with-param name="where"><xsl:call-template name="front-section">
+          <xsl:with-param name="section" select="governing_section"/></xsl:call-template></xsl:with-param>
+      </xsl:call-template>
+    </xsl:if>
+  </xsl:for-each>
+</xsl:template>
+
 <!-- Rows of the root. -->
 <xsl:template name="front-root">
   <xsl:variable name="all" select="verdict/criteria/item"/>
@@ -245,7 +261,9 @@
       <xsl:with-param name="of">fp.c.against;fp.c.safety:;fp.c.required:;fp.c.where</xsl:with-param>
       <xsl:with-param name="units">no</xsl:with-param>
     </xsl:call-template></tr></thead>
-    <tbody><xsl:call-template name="front-stem"/><xsl:call-template name="front-root"/></tbody>
+    <tbody>
+      <xsl:call-template name="front-stem"/><xsl:call-template name="front-branch"/><xsl:call-template name="front-root"/>
+    </tbody>
   </table>
 </xsl:template>
 

@@ -162,15 +162,17 @@
   </xsl:for-each>
 </xsl:template>
 
-<!-- The part that fails first, where it is not the stem. -->
+<!-- The part that fails first, where it is not the stem; then from which other direction a part fails in less wind. -->
 <xsl:template name="fails-first">
-  <xsl:if test="critical/governing_section/level &gt; 0 and critical/outcome = 'found' and critical/within_limits = 'true'">
-    <xsl:variable name="section" select="critical/governing_section"/>
+  <xsl:variable name="first" select="first | self::*[not(first)]/critical"/>
+  <xsl:variable name="main" select="$first[governing_section/level &gt; 0 and outcome = 'found' and within_limits = 'true']"/>
+  <xsl:for-each select="$main">
+    <xsl:variable name="section" select="governing_section"/>
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">
         <xsl:text>sum.part</xsl:text>
-        <xsl:if test="$section/diameter/value &lt; verdict/branches_from/value">.twig</xsl:if>
+        <xsl:if test="$section/diameter/value &lt; ../verdict/branches_from/value">.twig</xsl:if>
       </xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="part">
         <xsl:with-param name="level" select="$section/part"/>
@@ -179,12 +181,28 @@
         <xsl:with-param name="section" select="$section"/>
       </xsl:call-template></xsl:with-param>
       <xsl:with-param name="c" select="format-number($section/height/value, '0.0')"/>
-      <xsl:with-param name="d" select="format-number(critical/speed/value, '0.0')"/>
+      <xsl:with-param name="d" select="format-number(speed/value, '0.0')"/>
       <xsl:with-param name="e">
-        <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        <xsl:call-template name="gust"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
-  </xsl:if>
+  </xsl:for-each>
+  <xsl:variable name="all" select="directions/directions/item/first[outcome = 'found' and governing_section/level &gt; 0]"/>
+  <xsl:for-each select="$all">
+    <xsl:sort select="speed/value" data-type="number"/>
+    <xsl:if test="position() = 1 and not($main/speed/value &lt;= 1.005 * speed/value)">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">sum.part.from</xsl:with-param>
+        <xsl:with-param name="a" select="format-number($degrees * ../from/value, '0.#')"/>
+        <xsl:with-param name="b"><xsl:call-template name="part">
+          <xsl:with-param name="level" select="governing_section/part"/>
+        </xsl:call-template></xsl:with-param>
+        <xsl:with-param name="c" select="format-number(speed/value, '0.0')"/>
+        <xsl:with-param name="d"><xsl:call-template name="gust"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
+      </xsl:call-template>
+    </xsl:if>
+  </xsl:for-each>
 </xsl:template>
 
 <!-- An outcome of a search in words, of the string `id`. -->

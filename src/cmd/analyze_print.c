@@ -327,13 +327,16 @@ static void print_unions(FILE *to, const struct wf_analysis *an)
 /* The part that fails first, where it is not the stem; it does not make the headline. */
 static void print_first(FILE *to, const struct wf_analysis *an)
 {
-    const struct wf_break *b = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    enum wf_criterion_id by;
+    const struct wf_break *b = wf_verdict_first(an->breaks, &by);
     const struct wf_tree *t = &an->tree;
     if (b->row < 0 || t->level[b->row] == 0) return;
-    wf_show(to, "  the %s breaks first: ", wf_model_level_name(an->model, an->species, t->level[b->row]));
+    wf_show(to, "  the %s %s", wf_model_level_name(an->model, an->species, t->level[b->row]),
+            by == WF_BREAKAGE ? "breaks first: " : "fails first: ");
     print_wind(to, an, &b->critical);
     wf_show(to, "; %.2f m above the ground", b->height);
     print_failing(to, an, b->row);
+    if (by != WF_BREAKAGE) wf_show(to, ", by %s", wf_criteria[by].name);
     wf_show(to, "%s\n", 2 * fmax(t->r0[b->row], t->r1[b->row]) < an->search.branches_from ? ", a twig" : "");
     print_weight(to, an, b);
 }

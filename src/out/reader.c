@@ -89,7 +89,7 @@ static const struct {
       "all altitude attenuation "
       "averaging_time axis_drag azimuth "
       "base_moment "
-      "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
+      "base_radius base_shear canopy_height critical critical_speed critical_stem first crown_base "
       "crown_top displacement drag exponent fit from governing_section gradient gravity "
       "interval lognormal "
       "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "

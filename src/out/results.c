@@ -101,6 +101,16 @@ static json_t *critical_part(struct wf_doc *d, const struct wf_analysis *a, cons
     return o;
 }
 
+/* The part that fails first. */
+static json_t *first_part(struct wf_doc *d, const struct wf_analysis *a,
+                          const struct wf_break (*breaks)[WF_SCOPES])
+{
+    enum wf_criterion_id by;
+    json_t *o = critical_part(d, a, wf_verdict_first(breaks, &by));
+    wf_doc_text(d, o, "criterion", wf_criteria[by].name);
+    return o;
+}
+
 /* How near a part of the tree is to failing by a criterion at a wind speed. */
 static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at,
                            const struct wf_criterion *c, const struct wf_worst *w)
@@ -182,6 +192,7 @@ static json_t *direction_part(struct wf_doc *d, const struct wf_analysis *a, con
     }
     wf_doc_put(d, o, "critical", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "first", first_part(d, a, x->breaks));
     wf_doc_put(d, o, "loss", wf_part_loss(d, a, x->breaks));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, x->breaks, x->at));
     wf_doc_quantity(d, o, "hours_a_year", WF_HOURS_A_YEAR * x->hourly, "h", no_hours);
@@ -276,6 +287,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &a->at[k]));
     wf_doc_put(d, o, "critical", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "first", first_part(d, a, a->breaks));
     wf_doc_put(d, o, "verdict", wf_part_verdict(d, a));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
     if (a->assessment) wf_doc_put(d, o, "assessment", wf_part_assessment(d, a->assessment));

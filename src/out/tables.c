@@ -82,6 +82,17 @@ static void loss_cells(FILE *f, const struct wf_at_speed *at,
             v.loss ? wf_criteria[v.criterion].name : "");
 }
 
+/* The same of the part that fails first, by whichever criterion. */
+#define FIRST_HEADS "first_wind_m_s,first_criterion,first_height_m"
+static void first_cells(FILE *f, const struct wf_break breaks[WF_CRITERIA][WF_SCOPES])
+{
+    enum wf_criterion_id by;
+    const struct wf_break *b = wf_verdict_first(breaks, &by);
+    cell(f, b->critical.speed);
+    fprintf(f, ",%s", isnan(b->critical.speed) ? "" : wf_criteria[by].name);
+    cell(f, b->height);
+}
+
 static size_t write_summary(const struct wf_run *run, FILE *f)
 {
     fputs("tree,species,wind_m_s,status,tip_deflection_m,tip_deflection_percent,tip_angle_deg,drag_N,lift_N,"
@@ -89,7 +100,7 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
           "critical_wind_m_s,critical_outcome,critical_height_m,"
           "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,"
           "mean_tip_deflection_m,mean_tip_angle_deg,mean_base_moment_Nm,gust_load_factor," LOSS_HEADS
-          ",top_height_m,top_deflection_m,mean_top_deflection_m\n",
+          ",top_height_m,top_deflection_m,mean_top_deflection_m," FIRST_HEADS "\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -119,6 +130,7 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             loss_cells(f, at, a->breaks);
             const double tops[] = { top, at->status ? NAN : at->top_deflection, at->steady.top_deflection };
             cells(f, WF_COUNT(tops), tops);
+            first_cells(f, a->breaks);
             putc('\n', f);
         }
     }
@@ -257,6 +269,7 @@ static void direction_row(const struct wf_run *run, size_t tree, size_t k, size_
     cell(f, x->request.speed_up ? x->request.speed_up[k] : a->scenario.speed_up);
     cell(f, d->gusts[wind]);
     loss_cells(f, at, d->breaks);
+    first_cells(f, d->breaks);
     putc('\n', f);
 }
 
@@ -269,7 +282,8 @@ static size_t write_directions(const struct wf_run *run, FILE *f)
           "moment_Nm,"
           "largest_stress_MPa,least_safety,critical_wind_m_s,critical_outcome,critical_height_m,"
           "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,frequency,weibull_scale_m_s,"
-          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up,gust_load_factor," LOSS_HEADS "\n",
+          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up,gust_load_factor," LOSS_HEADS
+          "," FIRST_HEADS "\n",
           f);
     for (size_t i = 0; i < run->n; i++)
         for (size_t wind = 0; wind < run->analysis[i].n; wind++)

@@ -51,6 +51,19 @@ struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
     return v;
 }
 
+const struct wf_break *wf_verdict_first(const struct wf_break (*breaks)[WF_SCOPES],
+                                        enum wf_criterion_id *criterion)
+{
+    const struct wf_break *first = &breaks[ *criterion = WF_BREAKAGE][WF_SCOPE_TREE];
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_break *b = &breaks[c][WF_SCOPE_TREE];
+        if (!wf_criteria[c].loses_tree || wf_criteria[c].whole || !governs(&b->critical, &first->critical))
+            continue;
+        first = b, *criterion = (enum wf_criterion_id)c;
+    }
+    return first;
+}
+
 double wf_verdict_safety(const struct wf_at_speed *at, enum wf_criterion_id *criterion)
 {
     double least = NAN;

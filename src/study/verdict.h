@@ -16,6 +16,10 @@ struct wf_verdict {
  * search without result. */
 struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES]);
 
+/* The part that fails first, stem or branch, and by which of the criteria that lose a stem. */
+const struct wf_break *wf_verdict_first(const struct wf_break (*breaks)[WF_SCOPES],
+                                        enum wf_criterion_id *criterion);
+
 /* Is it known where the criterion is reached: at a speed, or at rest? */
 bool wf_verdict_reached(const struct wf_critical *c);
 /* Results closer than this share are alike: the earlier row of wf_criteria governs. A stem that is hardly
