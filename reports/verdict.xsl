@@ -199,7 +199,9 @@
           <xsl:with-param name="level" select="governing_section/part"/>
         </xsl:call-template></xsl:with-param>
         <xsl:with-param name="c" select="format-number(speed/value, '0.0')"/>
-        <xsl:with-param name="d"><xsl:call-template name="gust"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="d">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
+        </xsl:with-param>
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>

@@ -7,6 +7,7 @@
 #include "made.h"
 #include "solve/solve.h"
 #include "study/directions.h"
+#include "study/verdict.h"
 #include <string.h>
 
 static const double winds[] = { 8, 300.0 / 9 };
@@ -85,6 +86,43 @@ static void agrees(const json_t *tree, size_t entry, const char *scope, const ch
     assert_true(json_equal(json_object_get(x, "governing_section"), json_object_get(c, "governing_section")));
 }
 
+/* The part that fails first is that of the lowest critical wind of all criteria that lose a stem. */
+static void first_is_lowest(const json_t *tree)
+{
+    const json_t *first = json_object_get(tree, "first"), *x;
+    double lowest = INFINITY;
+    const json_t *by = NULL;
+    size_t i;
+    json_array_foreach(json_object_get(tree, "criteria"), i, x)
+    {
+        const double speed = number(x, "critical_speed");
+        if (strcmp(text(x, "scope"), "tree") != 0 || !json_is_true(json_object_get(x, "loses_tree")))
+            continue;
+        if (!strcmp(text(x, "criterion"), "overturning") || !(speed < lowest * (1 - WF_VERDICT_SAME)))
+            continue;
+        lowest = speed, by = x;
+    }
+    if (!by) {
+        assert_string_not_equal(text(first, "outcome"), "found");
+        return;
+    }
+    assert_string_equal(text(first, "criterion"), text(by, "criterion"));
+    assert_close(number(first, "speed"), lowest, 0);
+    assert_true(
+        json_equal(json_object_get(first, "governing_section"), json_object_get(by, "governing_section")));
+}
+
+/* The thickness named is that at the place named. */
+static void thickness_is_of_the_place(const struct wf_tree *t, const json_t *section)
+{
+    if (!json_is_object(section)) return;
+    const size_t row = (size_t)json_integer_value(json_object_get(section, "segment")) - 1;
+    const double at = number(section, "position");
+    assert_true(at >= 0 && at <= 1);
+    assert_close(number(section, "diameter"), 2 * (t->r0[row] + at * (t->r1[row] - t->r0[row])), 1e-12);
+    assert_close(number(section, "height"), t->z0[row] + at * (t->z1[row] - t->z0[row]), 1e-9);
+}
+
 static void winds_agree(const json_t *tree)
 {
     const json_t *list = json_object_get(tree, "winds"),
@@ -114,6 +152,11 @@ static void results_agree(void **state)
         agrees(tree, 0, "tree", "critical");
         agrees(tree, 1, "stem", "critical_stem");
         winds_agree(tree);
+        first_is_lowest(tree);
+        thickness_is_of_the_place(&m.made.an.tree,
+                                  json_object_get(json_object_get(tree, "critical"), "governing_section"));
+        thickness_is_of_the_place(&m.made.an.tree,
+                                  json_object_get(json_object_get(tree, "first"), "governing_section"));
         size_t entries = 0;
         for (int c = 0; c < WF_CRITERIA; c++) entries += wf_criteria[c].whole ? 1 : WF_SCOPES;
         assert_int_equal(json_array_size(json_object_get(tree, "criteria")), entries);
@@ -125,6 +168,7 @@ static void results_agree(void **state)
             agrees(d, 0, "tree", "critical");
             agrees(d, 1, "stem", "critical_stem");
             winds_agree(d);
+            first_is_lowest(d);
         }
         json_decref(o);
         wf_arena_free(&m.made.arena);

@@ -137,11 +137,11 @@ static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_
 }
 
 /* The segment that fails: its id in the file of the tree, branching order, diameter. */
-static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
+static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row, double place)
 {
     const struct wf_tree *t = &an->tree;
     wf_show(to, " (id %lld, order %d, %.3g mm thick)", (long long)t->id[row], t->level[row],
-            2e3 * fmax(t->r0[row], t->r1[row]));
+            1e3 * wf_tree_thickness(t, (size_t)row, place));
 }
 
 /* A critical wind, or what is known of it. */
@@ -176,7 +176,7 @@ static void print_event(FILE *to, const struct wf_analysis *an, enum wf_criterio
     wf_show(to, "; the %s %s %.2f m above the ground",
             wf_model_level_name(an->model, an->species, an->tree.level[b->row]), wf_criteria[criterion].event,
             b->height);
-    print_failing(to, an, b->row);
+    print_failing(to, an, b->row, b->place);
 }
 
 /* Stress of the weight alone in the segment that breaks first. */
@@ -273,8 +273,8 @@ static void print_class(FILE *to, const struct wf_analysis *an, const struct wf_
     print_number(to, 14, 2, k->fails);
     if (k->worst.row >= 0) {
         wf_show(to, "   %s, %.2f m above the ground", wf_criteria[k->criterion].name,
-                an->tree.z0[k->worst.row]);
-        print_failing(to, an, k->worst.row);
+                wf_part_height(&an->tree, k->worst.row, k->worst.place));
+        print_failing(to, an, k->worst.row, k->worst.place);
     }
     wf_show(to, "\n");
 }
@@ -335,9 +335,10 @@ static void print_first(FILE *to, const struct wf_analysis *an)
             by == WF_BREAKAGE ? "breaks first: " : "fails first: ");
     print_wind(to, an, &b->critical);
     wf_show(to, "; %.2f m above the ground", b->height);
-    print_failing(to, an, b->row);
+    print_failing(to, an, b->row, b->place);
     if (by != WF_BREAKAGE) wf_show(to, ", by %s", wf_criteria[by].name);
-    wf_show(to, "%s\n", 2 * fmax(t->r0[b->row], t->r1[b->row]) < an->search.branches_from ? ", a twig" : "");
+    wf_show(to, "%s\n",
+            wf_tree_thickness(t, (size_t)b->row, NAN) < an->search.branches_from ? ", a twig" : "");
     print_weight(to, an, b);
 }
 

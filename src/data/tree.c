@@ -178,6 +178,11 @@ double wf_tree_height(const struct wf_tree *t)
     return t->n ? high - low : 0.0;
 }
 
+double wf_tree_thickness(const struct wf_tree *t, size_t i, double place)
+{
+    return 2 * (isnan(place) ? fmax(t->r0[i], t->r1[i]) : wf_between(t->r0[i], t->r1[i], place));
+}
+
 double wf_tree_length(const struct wf_tree *t, size_t i)
 {
     double c[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };

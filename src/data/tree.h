@@ -119,6 +119,9 @@ void wf_tree_scale(struct wf_tree *t, double length, double radius);
 
 double wf_tree_height(const struct wf_tree *t);           /* highest point above the lowest base [m] */
 double wf_tree_length(const struct wf_tree *t, size_t i); /* arc length of row i [m] */
+/* Diameter of row i at a place between its base (0) and its end (1); at its thicker end where that is NAN
+ * [m]. */
+double wf_tree_thickness(const struct wf_tree *t, size_t i, double place);
 
 /* A quantity along an axis: value v[i] at relative position s[i] in 0..1, linear between. */
 struct wf_along {

@@ -97,7 +97,7 @@ static json_t *critical_part(struct wf_doc *d, const struct wf_analysis *a, cons
     wf_doc_quantity(d, o, "tip_angle", found ? at->tip_angle : NAN, "rad", text);
     wf_doc_flag(d, o, "within_limits", !(found && wf_limits_small_passed(at)));
     wf_doc_count(d, o, "evaluations", c->evaluations);
-    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
+    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, b->place, b->height));
     return o;
 }
 
@@ -154,7 +154,7 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
             wf_doc_text(d, o, "outcome", wf_part_outcome(b->critical.outcome));
             wf_doc_text(d, o, "outcome_text", text);
             wf_doc_quantity(d, o, "critical_speed", b->critical.speed, "m/s", text);
-            wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
+            wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, b->place, b->height));
             json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
             for (size_t k = 0; k < a->n; k++)
                 wf_doc_add(d, winds, utilisation(d, a, &at[k], &wf_criteria[c], &at[k].worst[c][s]));

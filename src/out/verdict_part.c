@@ -22,7 +22,7 @@ json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, int32_t r
     wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
     wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
     wf_doc_count(d, o, "id", t->id[row] > 0 ? (size_t)t->id[row] : 0);
-    wf_doc_quantity(d, o, "diameter", 2 * fmax(t->r0[row], t->r1[row]), "m", NULL);
+    wf_doc_quantity(d, o, "diameter", wf_tree_thickness(t, (size_t)row, s), "m", NULL);
     wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
     wf_doc_quantity(d, o, "height", height, "m", NULL);
     wf_doc_quantity(d, o, "weight_stress", a->still ? a->still->breakage.peak[row] : NAN, "Pa",

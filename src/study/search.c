@@ -239,7 +239,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
 
 static void place_at(const struct wf_tree *t, const struct wf_worst *w, struct wf_break *out)
 {
-    out->row = w->row;
+    out->row = w->row, out->place = w->place;
     out->height = t->z0[w->row] + w->place * (t->z1[w->row] - t->z0[w->row]);
 }
 
@@ -272,7 +272,7 @@ static void bracket(const struct search *q, struct wf_critical *c)
     }
 }
 
-static const struct wf_break nothing = { .at = { .speed = NAN }, .row = -1, .height = NAN };
+static const struct wf_break nothing = { .at = { .speed = NAN }, .row = -1, .place = NAN, .height = NAN };
 
 /* Is there something to be searched? Else the result says why not. */
 static bool begin_search(struct search *q)

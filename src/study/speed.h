@@ -61,6 +61,7 @@ struct wf_break {
     struct wf_critical critical;
     struct wf_at_speed at; /* totals at the critical speed; speed NAN where there is none */
     int32_t row;           /* governing section at the critical speed, -1 none            */
+    double place;          /* where on it, from its base (0) to its end (1) [-]           */
     double height;         /* its height above ground on the unbent tree [m]              */
 };
 

@@ -124,7 +124,7 @@ bool wf_verdict_any_soil(const struct wf_analysis *an)
 
 /* ---- Branches ---- */
 
-static double thickness(const struct wf_tree *t, size_t i) { return 2 * fmax(t->r0[i], t->r1[i]); }
+static double thickness(const struct wf_tree *t, size_t i) { return wf_tree_thickness(t, i, NAN); }
 
 static size_t class_of(double from, double diameter)
 {
