@@ -159,6 +159,10 @@ static void print_wind(FILE *to, const struct wf_analysis *an, const struct wf_c
         wf_show(to, "not found in the time for the search; above %.4g m/s, %s %.4g m/s", c->speed_low,
                 c->speed_high < an->search.speed_max ? "below" : "not searched to", c->speed_high);
         break;
+    case WF_CRITICAL_UNSOLVED:
+        wf_show(to, "not known: no equilibrium was found from %.4g m/s on; it may be lost there",
+                c->speed_low);
+        break;
     default:
         wf_show(to, "none; %s", wf_critical_text(c->outcome));
     }

@@ -167,7 +167,7 @@ const char *wf_critical_text(enum wf_critical_outcome o)
     case WF_CRITICAL_NO_STRENGTH:
         return "its resistance is not known";
     case WF_CRITICAL_UNSOLVED:
-        return "no equilibrium found above the speed given";
+        return "not known: no equilibrium was found from a speed on, and the tree may be lost there";
     case WF_CRITICAL_UNSEARCHED:
         return "not found: the search ended before, or another part of the tree fails first";
     case WF_CRITICAL_INTERRUPTED:
