@@ -80,7 +80,7 @@ set samples 120
 set parametric; set trange [0:2*pi]
 plot for [k=1:(crowned ? 1 : 0)] 0.5*CROWN_B*cos(t), CROWN_C + 0.5*CROWN_H*sin(t) with lines lw 0.8 dt (2,3) lc rgb '#5f8f5f', \
      for [k=1:(n && few ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (from_last(at(1, u) && column("axis") > 1, along("loaded_x_m", "loaded_y_m"), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lw 0.4 dt 1 lc rgb '#909090', \
-     for [k=1:(n ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (pick(stem(at(1, u)), along("x_m", "y_m"))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
+     for [k=1:(n ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (pick(stem(at(1, u)), along("x_m", "y_m"))):"z_m" with lines lw 1.2 dt (10,6) lc rgb '#707070', \
      for [k=1:(n ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (pick(stem(at(1, u)), along("loaded_x_m", "loaded_y_m"))):"loaded_z_m" with lines lw 5.5 dt 1 lc rgb '#b8b8b8', \
      for [k=1:(n && MOST > 0 ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (from_last(stem(at(1, u)) && use(column("segment")) >= 0, along("loaded_x_m", "loaded_y_m"), column("loaded_z_m"))):(oy):(px - ox):(py - oy):(use(column("segment"))) with vectors nohead lw 5.5 dt 1 lc palette, \
      2*top, 2*top with lines   # above the picture: a tree without answers still gets its axes
