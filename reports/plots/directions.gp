@@ -38,7 +38,7 @@ do for [p=1:2] {
     set lmargin at screen 0.01 + 0.5*(p - 1); set rmargin at screen 0.49 + 0.5*(p - 1)
     set tmargin at screen 1 - 40.0/HEIGHT; set bmargin at screen (KEY + 4)/HEIGHT
     set title TITLE[p] offset 0,0.2
-    FOUND = p == 1 || C_max > 0 || S_max > 0
+    FOUND = p == 1 || C_max > 0 || (trees == 1 && S_max > 0)
     if (!FOUND) { RINGS = 1; STEP = E; set label L('AROUND_NONE') at 0,0 center front }
     do for [j=1:(FOUND ? RINGS : 0)] {
         set object rectangle center first j*STEP*sin(MID), j*STEP*cos(MID) size first 0.075*E*strlen(sprintf('%g', j*STEP)), 0.13*E front fs solid noborder fc rgb '#ffffff'
