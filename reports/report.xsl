@@ -238,6 +238,10 @@
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
       </xsl:if>
+      <xsl:if test="@name = 'scenarios' and $trees/scenarios/item/word and $trees[1]/assessment/required != ''">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">f.scenarios.required</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:if test="@name = 'stem' and $trees/model/key = 'card'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">t.crown.stem</xsl:with-param></xsl:call-template>
