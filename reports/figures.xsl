@@ -101,19 +101,6 @@
 </xsl:template>
 
 <xsl:template match="/report">
-  <xsl:variable name="far">
-    <xsl:for-each select="$trees/winds/item/speed/value | $trees/critical/speed/value[. != '']">
-      <xsl:sort data-type="number" order="descending"/>
-      <xsl:if test="position() = 1"><xsl:value-of select="."/></xsl:if>
-    </xsl:for-each>
-  </xsl:variable>
-  <xsl:variable name="end">
-    <xsl:for-each select="$trees/sweep_speed_high/value[. != '']">
-      <xsl:sort data-type="number" order="descending"/>
-      <xsl:if test="position() = 1"><xsl:value-of select="."/></xsl:if>
-    </xsl:for-each>
-  </xsl:variable>
-  <xsl:variable name="wide" select="5 * ceiling(1.08 * $far div 5)"/>
   <xsl:variable name="drawn"
                 select="$trees[1]/winds/item[contains($shown, concat(' ', count(preceding-sibling::item) + 1, ' '))]"/>
   <rows>
@@ -163,10 +150,7 @@
     <xsl:for-each select="$beside"><xsl:call-template name="beside-rows"/></xsl:for-each>
     <xsl:call-template name="number-row">
       <xsl:with-param name="key">SPEED_MAX</xsl:with-param>
-      <xsl:with-param name="x"><xsl:choose>
-        <xsl:when test="$end != '' and $end &lt; $wide"><xsl:value-of select="$end"/></xsl:when>
-        <xsl:otherwise><xsl:value-of select="$wide"/></xsl:otherwise>
-      </xsl:choose></xsl:with-param>
+      <xsl:with-param name="x"><xsl:call-template name="speed-end"/></xsl:with-param>
     </xsl:call-template>
   </rows>
 </xsl:template>

@@ -179,6 +179,27 @@
   </xsl:call-template>
 </xsl:template>
 
+<!-- Of the safety figure: where trees are lost, within the figure and beyond its curves. -->
+<xsl:template name="safety-circles">
+  <xsl:variable name="end"><xsl:call-template name="speed-end"/></xsl:variable>
+  <xsl:variable name="lost" select="$trees/verdict[within_limits = 'true' and outcome = 'found' and
+    criteria/item[governs = 'true']]"/>
+  <xsl:if test="$lost/critical_speed/value &lt;= $end">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
+  </xsl:if>
+  <xsl:for-each select="$lost[critical_speed/value &gt; $end]">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">
+        <xsl:text>f.safety.beyond</xsl:text><xsl:if test="count($trees) &gt; 1">.of</xsl:if>
+      </xsl:with-param>
+      <xsl:with-param name="a" select="format-number(critical_speed/value, '0.0')"/>
+      <xsl:with-param name="b"><xsl:for-each select=".."><xsl:call-template name="name"/></xsl:for-each></xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
+</xsl:template>
+
 <xsl:template match="figure">
   <figure id="{@name}">
     <xsl:choose>
@@ -234,9 +255,10 @@
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">lv.beyond</xsl:with-param></xsl:call-template>
       </xsl:if>
-      <xsl:if test="@name = 'safety' and $trees/verdict[within_limits = 'true' and criteria/item[governs = 'true']]/outcome = 'found'">
+      <xsl:if test="@name = 'safety'"><xsl:call-template name="safety-circles"/></xsl:if>
+      <xsl:if test="@name = 'scenarios' and $trees/scenarios/item/word and $trees[1]/assessment/required != ''">
         <xsl:value-of select="$gap"/>
-        <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
+        <xsl:call-template name="say"><xsl:with-param name="id">f.scenarios.required</xsl:with-param></xsl:call-template>
       </xsl:if>
       <xsl:if test="@name = 'stem' and $trees/model/key = 'card'">
         <xsl:value-of select="$gap"/>

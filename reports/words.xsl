@@ -242,6 +242,28 @@
   </xsl:if>
 </xsl:template>
 
+<!-- Where the axis of wind speeds ends, of the curves of all trees [m/s]: a round speed above those given, of the first breakage
+     and of the loss, or the last that was computed. -->
+<xsl:template name="speed-end">
+  <xsl:variable name="far">
+    <xsl:for-each select="($trees/winds/item/speed | $trees/critical/speed | $trees/verdict/critical_speed)/value[. != '']">
+      <xsl:sort data-type="number" order="descending"/>
+      <xsl:if test="position() = 1"><xsl:value-of select="."/></xsl:if>
+    </xsl:for-each>
+  </xsl:variable>
+  <xsl:variable name="end">
+    <xsl:for-each select="$trees/sweep_speed_high/value[. != '']">
+      <xsl:sort data-type="number" order="descending"/>
+      <xsl:if test="position() = 1"><xsl:value-of select="."/></xsl:if>
+    </xsl:for-each>
+  </xsl:variable>
+  <xsl:variable name="wide" select="5 * ceiling(1.08 * $far div 5)"/>
+  <xsl:choose>
+    <xsl:when test="$end != '' and $end &lt; $wide"><xsl:value-of select="$end"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="$wide"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- "10, 15 and 25" -->
 <xsl:template name="list">
   <xsl:param name="items"/>

@@ -137,7 +137,9 @@ static void one_printer(void **state)
     if (skipped("gnuplot") || skipped("weasyprint")) return;
     results(f, mock_run(1, winds, 1, &f->arena));
     for (size_t page = 1; page <= 3; page++) {
-        if (wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e)) fail_msg("%s", f->e.text);
+        if (wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag,
+                           &f->e))
+            fail_msg("%s", f->e.text);
         assert_int_equal(f->printer.pages, page < 3 ? page : 1);
         char *pdf = folder_read(&f->folder, "report.pdf");
         assert_non_null(pdf);
@@ -149,7 +151,8 @@ static void one_printer(void **state)
     wf_printer_close(&f->printer);
     assert_int_equal(f->printer.pages, 0);
     assert_int_equal(waitpid(-1, NULL, WNOHANG), -1); /* nothing is left */
-    if (wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, NULL, &f->diag, &f->e)) fail_msg("%s", f->e.text);
+    if (wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, NULL, &f->diag, &f->e))
+        fail_msg("%s", f->e.text);
     assert_false(folder_has(&f->folder, "report.pdf"));
 }
 
@@ -179,7 +182,9 @@ static void chinese(void **state)
     for (int i = 0; i < 12; i++) speed[i] = 5 + 3 * i;
     results(f, mock_run(1, speed, 12, &f->arena));
     only(f, "gnuplot");
-    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "zh" }, &f->printer, &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "zh" }, &f->printer,
+                                    &f->diag, &f->e),
+                     WF_EMISSING);
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "毛竹的风荷载响应"));
     assert_non_null(strstr(html, "图中绘出 12 个风速中的 5 个"));
@@ -195,7 +200,9 @@ static void no_weasyprint(void **state)
     if (skipped("gnuplot")) return;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, "gnuplot");
-    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer,
+                                    &f->diag, &f->e),
+                     WF_EMISSING);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     assert_true(folder_has(&f->folder, "report.html"));
     assert_false(folder_has(&f->folder, "report.pdf"));
@@ -208,7 +215,9 @@ static void no_gnuplot(void **state)
     struct fixture *f = *state;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, NULL);
-    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer,
+                                    &f->diag, &f->e),
+                     WF_EMISSING);
     assert_string_equal(f->e.text, "gnuplot is not installed: install the package gnuplot-nox");
     assert_true(warned(f, "install the package weasyprint"));
     assert_int_equal(f->diag.warnings, 2);
@@ -243,7 +252,8 @@ static void missing_values(void **state)
     mock_settle(&a[1]);
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag,
+                         &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_int_equal(times(html, "<svg"), 4);
@@ -269,11 +279,70 @@ static void no_strength(void **state)
     mock_settle(a);
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag,
+                         &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "No safety factors: no modulus of rupture is given."));
     free(html);
+}
+
+/* What is drawn of a figure of one tree: how often a word stands in it. */
+static size_t drawn(struct fixture *f, struct wf_run run, const char *figure, const char *word)
+{
+    results(f, run);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag,
+                         &f->e);
+    assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
+    char *svg = folder_read(&f->folder, figure);
+    assert_non_null(svg);
+    size_t n = times(svg, word);
+    free(svg);
+    return n;
+}
+
+/* The curves of safety are interrupted where there is no equilibrium. */
+static void no_equilibrium(void **state)
+{
+    struct fixture *f = *state;
+    if (skipped("gnuplot")) return;
+    struct wf_run run = mock_run(1, winds, 3, &f->arena);
+    struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
+    only(f, "gnuplot");
+    const size_t whole = drawn(f, run, "plots/safety.svg", "M");
+    for (size_t k = 12; k < 15; k++) a->sweep[k].status = WF_EUNSTABLE;
+    assert_int_equal(drawn(f, run, "plots/safety.svg", "M"), whole + 2); /* of the tree, of its parts */
+}
+
+/* The axis of the stress reaches the largest, which is at the top end of a segment. */
+static void stress_at_a_top_end(void **state)
+{
+    struct fixture *f = *state;
+    if (skipped("gnuplot")) return;
+    struct wf_run run = mock_run(1, winds, 1, &f->arena);
+    struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
+    only(f, "gnuplot");
+    assert_int_equal(drawn(f, run, "plots/stem.svg", "1000<"), 0);
+    a->at->breakage.stress1[MOCK_SEGMENTS / 2] = 1e9;
+    assert_int_equal(drawn(f, run, "plots/stem.svg", "1000<"), 1);
+}
+
+/* The curves end below the wind at which the tree is lost: no circle is promised. */
+static void loss_beyond_the_curves(void **state)
+{
+    struct fixture *f = *state;
+    if (skipped("gnuplot")) return;
+    struct wf_run run = mock_run(1, winds, 3, &f->arena);
+    struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
+    a->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){
+        .outcome = WF_CRITICAL_FOUND, .speed = 40.26, .speed_low = 40.2, .speed_high = 40.3
+    };
+    mock_settle(a);
+    only(f, "gnuplot");
+    assert_int_equal(drawn(f, run, "report.html", "Circles: "), 1);
+    a->sweep_n = 31;
+    assert_int_equal(drawn(f, run, "report.html", "Circles: "), 0);
+    assert_int_equal(drawn(f, run, "report.html", "The tree is lost at 40.3 m/"), 1);
 }
 
 /* Names are text, not markup, not gnuplot, not a stylesheet. */
@@ -287,7 +356,8 @@ static void hostile_names(void **state)
     run.command = "windfirm compare '</style><script>alert(1)</script>'";
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag,
+                         &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "O'Neil's &lt;b&gt;\"_^{x}\" `date` {9}� %d"));
@@ -304,7 +374,8 @@ static void scripts_by_hand(void **state)
     if (skipped("gnuplot")) return;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "en" }, &f->printer, &f->diag,
+                         &f->e);
     snprintf(command, sizeof command, "cd reports/plots && gnuplot -c shapes.gp %s %s/mine.pdf",
              f->folder.path, f->folder.path);
     assert_int_equal(system(command), 0);
@@ -339,7 +410,9 @@ static void wrong_input(void **state)
     refuse(f, "{ \"schema\": {\"name\": \"windfirm-results\", \"version\": 1}, \"trees\": [{}]}",
            "tables/summary.csv");
     f->e = (struct wf_err){ 0 };
-    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "fr" }, &f->printer, &f->diag, &f->e), WF_EUSAGE);
+    assert_int_equal(wf_report_make(f->folder.path, &(struct wf_page_style){ .language = "fr" }, &f->printer,
+                                    &f->diag, &f->e),
+                     WF_EUSAGE);
     assert_non_null(strstr(f->e.text, "allowed: en, zh"));
 }
 
@@ -355,7 +428,7 @@ static void wrong_assets(void **state)
     f->e = (struct wf_err){ 0 };
     snprintf(share, sizeof share, "%s", f->folder.path);
     mkdir(folder_file(&f->folder, "reports"), 0700);
-    static const char *const asset[] = { "reports/report.css", "reports/picture.js", "reports/live.js",
+    static const char *const asset[] = { "reports/report.css",  "reports/picture.js", "reports/live.js",
                                          "reports/figures.xsl", "reports/report.xsl", "reports/strings.xml" };
     for (size_t i = 0; i < 6; i++) {
         FILE *out = fopen(folder_file(&f->folder, asset[i]), "w");
@@ -373,9 +446,20 @@ static void wrong_assets(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { T(whole_report),    T(one_printer),   T(fonts_are_cut_down),
-                                        T(chinese),         T(no_weasyprint), T(no_gnuplot),
-                                        T(missing_values),  T(no_strength),   T(hostile_names),
-                                        T(scripts_by_hand), T(wrong_input),   T(wrong_assets) };
+    const struct CMUnitTest tests[] = { T(whole_report),
+                                        T(one_printer),
+                                        T(fonts_are_cut_down),
+                                        T(chinese),
+                                        T(no_weasyprint),
+                                        T(no_gnuplot),
+                                        T(missing_values),
+                                        T(no_strength),
+                                        T(no_equilibrium),
+                                        T(stress_at_a_top_end),
+                                        T(loss_beyond_the_curves),
+                                        T(hostile_names),
+                                        T(scripts_by_hand),
+                                        T(wrong_input),
+                                        T(wrong_assets) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

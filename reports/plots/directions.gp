@@ -7,7 +7,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
 AROUND = DIR.'/tables/directions.csv'
-KEY = 12.0 + 18*(trees == 1 ? 1 : KEY_ROWS)
+KEY = 12.0 + 18*(trees == 1 ? 2 : KEY_ROWS)
 WIDTH = 640.0; HEIGHT = 280.0 + KEY
 U = number('WIND_LAST', 0)
 load HERE.'start.gp'
@@ -38,7 +38,7 @@ do for [p=1:2] {
     set lmargin at screen 0.01 + 0.5*(p - 1); set rmargin at screen 0.49 + 0.5*(p - 1)
     set tmargin at screen 1 - 40.0/HEIGHT; set bmargin at screen (KEY + 4)/HEIGHT
     set title TITLE[p] offset 0,0.2
-    FOUND = p == 1 || C_max > 0 || S_max > 0
+    FOUND = p == 1 || C_max > 0 || (trees == 1 && S_max > 0)
     if (!FOUND) { RINGS = 1; STEP = E; set label L('AROUND_NONE') at 0,0 center front }
     do for [j=1:(FOUND ? RINGS : 0)] {
         set object rectangle center first j*STEP*sin(MID), j*STEP*cos(MID) size first 0.075*E*strlen(sprintf('%g', j*STEP)), 0.13*E front fs solid noborder fc rgb '#ffffff'
@@ -70,11 +70,15 @@ do for [p=1:2] {
 }
 load HERE.'strip.gp'
 set size noratio
-set key maxcols (trees == 1 ? 3 : KEY_COLUMNS)
 if (trees == 1) {
-    plot 2 with lines, keyentry with linespoints lt 1 title L(LOSS_KNOWN[1] ? 'AROUND_LOST' : 'AROUND_FIRST'), \
+    # the lines of the right picture have names, below it; that of the left one is what its title says
+    set lmargin at screen 0.51; set rmargin at screen 0.99
+    set key maxcols 1
+    plot 2 with lines, \
+         for [n=1:(C_max > 0)] keyentry with linespoints lt 1 title L(LOSS_KNOWN[1] ? 'AROUND_LOST' : 'AROUND_FIRST'), \
          for [n=1:(S_max > 0)] keyentry with linespoints lt 2 title L(LOSS_KNOWN[1] ? 'AROUND_FIRST' : 'AROUND_STEM')
 } else {
+    set key maxcols KEY_COLUMNS
     plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title key_name(i)
 }
 unset multiplot

@@ -11,7 +11,7 @@ along(x, y) = column(x)*cos(AZIMUTH[1]) + column(y)*sin(AZIMUTH[1])
 n = words(SOLVED[1]); u = n ? WIND[nth(SOLVED[1], n)] : NaN
 stem(is) = is && column("axis") == 1
 
-# loads by height, in bins; use of the strength along the stem
+# loads by height, in bins; use of the strength along the stem, of a segment the larger of its ends
 TABLE = SEGMENTS
 load HERE.'rows.gp'
 BINS = 9
@@ -21,7 +21,7 @@ array USE[ROWS[1] + 1]; do for [k=1:|USE|] { USE[k] = NaN }
 bin(z) = (BIN_B = 1 + int(BINS*z/HEIGHT_M[1]), BIN_B < 1 ? 1 : BIN_B > BINS ? BINS : BIN_B)
 used(s) = s > 0 ? 100.0/s : NaN
 keep(is) = is ? (LOAD_B = bin(0.5*(column("height0_m") + column("height1_m"))), LOAD[LOAD_B] = LOAD[LOAD_B] + column("drag_N"), \
-    column("level") == 0 ? (USE[int(column("segment"))] = used(column("safety0")), MOST = greater(used(column("safety0")), MOST)) : 0) : 0
+    column("level") == 0 ? (KEEP_U = greater(used(column("safety1")), used(column("safety0"))), USE[int(column("segment"))] = KEEP_U, MOST = greater(KEEP_U, MOST)) : 0) : 0
 if (n) { stats SEGMENTS every ::row_first(1, n)::row_last(1, n) using (keep(at(1, u))) name 'S' nooutput }
 FULL = 0.0; do for [b=1:BINS] { FULL = greater(FULL, LOAD[b]) }
 
@@ -80,7 +80,7 @@ set samples 120
 set parametric; set trange [0:2*pi]
 plot for [k=1:(crowned ? 1 : 0)] 0.5*CROWN_B*cos(t), CROWN_C + 0.5*CROWN_H*sin(t) with lines lw 0.8 dt (2,3) lc rgb '#5f8f5f', \
      for [k=1:(n && few ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (from_last(at(1, u) && column("axis") > 1, along("loaded_x_m", "loaded_y_m"), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lw 0.4 dt 1 lc rgb '#909090', \
-     for [k=1:(n ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (pick(stem(at(1, u)), along("x_m", "y_m"))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
+     for [k=1:(n ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (pick(stem(at(1, u)), along("x_m", "y_m"))):"z_m" with lines lw 1.2 dt (10,6) lc rgb '#707070', \
      for [k=1:(n ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (pick(stem(at(1, u)), along("loaded_x_m", "loaded_y_m"))):"loaded_z_m" with lines lw 5.5 dt 1 lc rgb '#b8b8b8', \
      for [k=1:(n && MOST > 0 ? 1 : 0)] SHAPE every ::row_first(1, n)::row_last(1, n) using (from_last(stem(at(1, u)) && use(column("segment")) >= 0, along("loaded_x_m", "loaded_y_m"), column("loaded_z_m"))):(oy):(px - ox):(py - oy):(use(column("segment"))) with vectors nohead lw 5.5 dt 1 lc palette, \
      2*top, 2*top with lines   # above the picture: a tree without answers still gets its axes

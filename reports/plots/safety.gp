@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Safety of the tree against wind speed, and the wind at which it reaches 1; thin and dotted, the least safety against
-# breakage of any part. Results that do not know the loss of the tree have the latter alone.
+# breakage of any part. Results that do not know the loss of the tree have the latter alone. Lines end where the tree has no
+# equilibrium.
 #   gnuplot -c safety.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'safety.svg'
 LANGUAGE = ARGC > 2 ? ARG3 : 'en'
@@ -11,6 +12,8 @@ KEY = 12.0 + 18*KEY_ROWS
 WIDTH = 640.0; ABOVE = 32.0; HEIGHT = 264.0 + KEY
 load HERE.'start.gp'
 safety_of(n) = LOSS_KNOWN[nth(STRONG, n)] ? "tree_safety" : "least_safety"
+# a line passes over an empty field as over a row that is not there, and is broken by what is not a number
+answer(name) = pick(strcol("status") eq 'ok', column(name))
 set multiplot
 from = 0.5
 most = 10.0
@@ -47,8 +50,8 @@ if (words(STRONG) == 0) {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040'   # no strength is known: the frame alone
 } else {
     plot 1 with lines lw 1 dt 1 lc rgb '#404040', \
-         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)) && LOSS_KNOWN[nth(STRONG, n)], PER[SPEED]*column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n) lw 0.8 dt 3, \
-         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), PER[SPEED]*column("wind_m_s"))):(column(safety_of(n))) with lines lt nth(STRONG, n), \
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)) && LOSS_KNOWN[nth(STRONG, n)], PER[SPEED]*column("wind_m_s"))):(answer("least_safety")) with lines lt nth(STRONG, n) lw 0.8 dt 3, \
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), PER[SPEED]*column("wind_m_s"))):(answer(safety_of(n))) with lines lt nth(STRONG, n), \
          for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), PER[SPEED]*column("wind_m_s"))):(column(safety_of(n))) with points lt nth(STRONG, n) lw 1
 }
 load HERE.'strip.gp'

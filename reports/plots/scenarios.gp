@@ -19,7 +19,7 @@ do for [i=1:BESIDE] {
 }
 if (REQUIRED == REQUIRED) { MOST = REQUIRED > MOST ? REQUIRED : MOST }
 LEAST = LEAST < 0.05 ? 0.05 : LEAST; MOST = MOST > 20 ? 20 : MOST
-SPAN = 250.0
+SPAN = 270.0; NAMES = 0.8*(SPAN - 10)   # letters of a document are wider than those of a page
 WIDTH = 640.0; STEP = 34.0; HEIGHT = 92.0 + STEP*BESIDE
 load HERE.'start.gp'
 set lmargin at screen SPAN/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
@@ -30,7 +30,7 @@ unset ytics
 # a label may be broken at every part of a change
 apart(s) = (BESIDE_S = '', sum [BESIDE_I=1:strlen(s)] (BESIDE_S = BESIDE_S.(s[BESIDE_I:BESIDE_I] eq '+' ? ' + ' : s[BESIDE_I:BESIDE_I]), 0), BESIDE_S)
 do for [i=1:BESIDE] {
-    name = two_lines(apart(NAME[i]), SPAN - 20)
+    name = two_lines(apart(NAME[i]), NAMES)
     set label i name at screen (SPAN - 10)/WIDTH, first i right offset 0,(strstrt(name, "\n") ? 0.4 : 0) textcolor rgb '#202020'
 }
 set xlabel L('SAFETY')

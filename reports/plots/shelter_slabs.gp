@@ -17,7 +17,8 @@ COLUMNS = TALL > 1.1*WIDE ? 12 : 6
 COLUMNS = SHOWN < COLUMNS ? (SHOWN < 4 ? 4 : SHOWN) : COLUMNS
 ROWS = int((SHOWN - 1)/COLUMNS) + 1
 WIDTH = 640.0
-CELL = (WIDTH - 60.0)/COLUMNS
+BAR = 76.0   # room of the colour bar, right of the maps
+CELL = (WIDTH - 12.0 - BAR)/COLUMNS
 MAPW = CELL - 6.0
 MOST = (1120.0 - 220 - 60)/(2*ROWS) - 16
 MOST = MOST > 88 ? 88.0 : MOST
@@ -48,7 +49,10 @@ do for [part=1:2] {
         set tmargin at screen 1 - y/HEIGHT; set bmargin at screen 1 - (y + MAPH)/HEIGHT
         set label 2 sprintf("%d", slab) at graph 0.04, graph 0.93 left front textcolor rgb '#505050' font ",9.5"
         unset colorbox
-        if (n == SHOWN - 1 && part == 1) { set colorbox vertical user origin (24.0 + (col + 1)*CELL)/WIDTH, 1 - (TOP + 12 + MAPH)/HEIGHT size 9.0/WIDTH, MAPH/HEIGHT; set cbtics 0.5 scale 0.3 font ",9.5" textcolor rgb '#202020' }
+        if (n == 0 && part == 1) {
+            set colorbox vertical user origin (16.0 + COLUMNS*CELL)/WIDTH, 1 - (TOP + 12 + MAPH)/HEIGHT size 9.0/WIDTH, MAPH/HEIGHT
+            set cbtics ('0' 0, '0.5' 0.5, L('CELL_FULL') 1) scale 0.3 font ",9.5" textcolor rgb '#202020'
+        }
         plot CELLTABLE index slab-1 every ::(slab == 1) using 2:3:(part == 1 ? $4 : $5) with image
         unset label 1
     }

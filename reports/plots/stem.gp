@@ -15,25 +15,38 @@ w = (640.0 - LEFT - 14 - GAP*(columns-1))/columns
 h = trees == 1 ? 180.0 : blocks == 1 ? 140.0 : 110.0
 WIDTH = 640.0; HEIGHT = blocks*(TITLE + (1 + below)*(h + UNDER)) + KEY
 
-moment = 0.0; stress = 0.0; top = 0.0
-array TIP[trees]
+# Both ends of every segment of the stems, base first: where the stem is stepped, the larger stress may be at either.
 TABLE = SEGMENTS
 load HERE.'rows.gp'
 stem(i, k) = at(i, WIND[k]) && column("level") == 0
-most_of(is) = is ? (tip_row = greater(column("segment"), tip_row), moment = greater(column("bending0_Nm")/1e3, moment), \
-    stress = greater(column("stress0_MPa"), stress)) : 0
+array ON_STEM[trees]
+points = 0
+do for [i=1:trees] {
+    ON_STEM[i] = 0
+    if (words(SOLVED[i])) {
+        stats SEGMENTS every ::row_first(i, 1)::row_last(i, 1) using (stem(i, nth(SOLVED[i], 1)) ? (ON_STEM[i] = ON_STEM[i] + 1) : 0) name 'S' nooutput
+    }
+    points = points + 2*ON_STEM[i]*words(SOLVED[i])
+}
+array END_HEIGHT[points + 1]; array END_MOMENT[points + 1]; array END_STRESS[points + 1]
+array BEFORE[trees*winds + 1]; do for [p=1:|BEFORE|] { BEFORE[p] = 0 }
+points = 0; moment = 0.0; stress = 0.0; top = 0.0
+keep_end(z, bending, fibre) = (points = points + 1, END_HEIGHT[points] = z, END_MOMENT[points] = bending, END_STRESS[points] = fibre, \
+    moment = greater(bending/1e3, moment), stress = greater(fibre, stress))
+keep_ends(is) = is ? (keep_end(column("height0_m"), column("bending0_Nm"), column("stress0_MPa")), \
+    keep_end(column("height1_m"), column("bending1_Nm"), column("stress1_MPa"))) : 0
 do for [i=1:trees] {
     top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
     do for [n=1:words(SOLVED[i])] {
-        k = nth(SOLVED[i], n)
-        tip_row = 0
-        stats SEGMENTS every ::row_first(i, n)::row_last(i, n) using (most_of(stem(i, k))) name 'S' nooutput
-        TIP[i] = tip_row
+        BEFORE[place(i, n)] = points
+        if (ON_STEM[i]) { stats SEGMENTS every ::row_first(i, n)::row_last(i, n) using (keep_ends(stem(i, nth(SOLVED[i], n)))) name 'S' nooutput }
     }
 }
-last(i, k) = stem(i, k) && column("segment") == TIP[i]
+first_end(i, n) = BEFORE[place(i, n)] + 1
+last_end(i, n) = first_end(i, n) + 2*ON_STEM[i] - 1
 load HERE.'start.gp'
 set multiplot
+unset datafile columnheaders   # from here on arrays are drawn, of which none is a heading
 set yrange [0:1.03*PER[LENGTH]*top]; set ytics autofreq
 do for [i=1:trees] {
     b = below ? (i-1)/columns : 0
@@ -46,7 +59,6 @@ do for [i=1:trees] {
         set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
         if (panel) { unset title } else { set title short(NAME[i], w + GAP) offset 0,-0.5 }
         set xlabel (panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
-        A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
         unit = panel ? PER[STRESS] : 1e-3*PER[MOMENT]
         most = panel ? PER[STRESS]*stress : PER[MOMENT]*moment
         set xrange [0:(most > 0 ? 1.05*most : 1)]
@@ -54,10 +66,8 @@ do for [i=1:trees] {
         step = 0.0
         do for [d=8:-4:-1] { do for [m in "5 2 1"] { s = real(m)*10.0**d; step = (most <= 0 || s*w/(1.05*most) >= 38) ? s : step } }
         if (most > 0) { set xtics step } else { set xtics autofreq }
-        # base ends of all rows, then the last row to its tip
-        plot for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(stem(i, nth(SOLVED[i], n)), unit*column(A))):(PER[LENGTH]*column("height0_m")) with lines lt nth(SOLVED[i], n), \
-             for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(last(i, nth(SOLVED[i], n)), unit*column(A))):(PER[LENGTH]*column("height0_m")):(unit*(column(B)-column(A))):(PER[LENGTH]*(column("height1_m")-column("height0_m"))) with vectors nohead lt nth(SOLVED[i], n), \
-             -1 with lines   # below the picture: a tree without answers still gets its axes
+        plot for [n=1:words(SOLVED[i])] [first_end(i, n):last_end(i, n):1] '+' using (unit*(panel ? END_STRESS[int($1)] : END_MOMENT[int($1)])):(PER[LENGTH]*END_HEIGHT[int($1)]) with lines lt nth(SOLVED[i], n), \
+             [0:1:1] -1 with lines   # below the picture: a tree without answers still gets its axes
     }
 }
 load HERE.'strip.gp'

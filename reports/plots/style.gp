@@ -39,7 +39,7 @@ glyph(c) = strstrt(ASCII, c) ? 7 : 12
 text_width(text) = sum [STYLE_I=1:strlen(text)] glyph(text[STYLE_I:STYLE_I])
 # how many characters have room, then the last of them behind which a line may end
 text_room(text, pixels) = (STYLE_W = 0, sum [STYLE_I=1:strlen(text)] (STYLE_W = STYLE_W + glyph(text[STYLE_I:STYLE_I]), STYLE_W <= pixels ? 1 : 0))
-end_of_word(text, n) = (STYLE_E = n, (sum [STYLE_I=1:n] (STYLE_E = strstrt(" ，：、；", text[STYLE_I:STYLE_I]) && 3*STYLE_I > n ? STYLE_I : STYLE_E, 0)), STYLE_E)
+end_of_word(text, n) = (STYLE_E = n, (sum [STYLE_I=1:n] (STYLE_E = strstrt(" :，：、；", text[STYLE_I:STYLE_I]) && 3*STYLE_I > n ? STYLE_I : STYLE_E, 0)), STYLE_E)
 trimmed(s) = strlen(s) && strstrt(" ,，：、；", s[strlen(s):]) ? s[1:strlen(s) - 1] : s
 short(text, pixels) = text_width(text) <= pixels ? text : (STYLE_N = text_room(text, pixels - 12), STYLE_N = STYLE_N < 3 ? 3 : STYLE_N, \
     STYLE_S = trimmed(text[1:end_of_word(text, STYLE_N)]), trimmed(STYLE_S).'…')
