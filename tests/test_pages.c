@@ -72,7 +72,7 @@ static void what_governs_is_said(void **state)
           CODE_OK,
           { "Corridor beside the tree, 8 m a part reaches it; the tree is not lost", "9.7 14.8 14.0",
             "Turn of the tip, 45° the tip turns by it",
-            "梢端转角，45° 梢端达到该转角；不计为树木损失 5.1 7.77" } },
+            "梢端转角，45° 梢端达到该转角；不计为树木损毁 5.1 7.77" } },
         { "$W analyze oak $M --wind 10 --corridor 0m --tip-angle-limit 200deg --samples 0 --no-report -o "
           "$T/a",
           CODE_INPUT,
