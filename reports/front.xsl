@@ -401,7 +401,9 @@
 <xsl:template name="front-facts">
   <table class="block facts">
     <xsl:call-template name="block-row">
-      <xsl:with-param name="id">fp.lost</xsl:with-param>
+      <xsl:with-param name="id">
+        <xsl:text>fp.lost</xsl:text><xsl:if test="not(verdict/criteria/item[criterion = 'overturning'])">.stem</xsl:if>
+      </xsl:with-param>
       <xsl:with-param name="text"><xsl:call-template name="front-lost"/></xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="block-row">
@@ -542,7 +544,8 @@
   </table>
 </xsl:template>
 
-<!-- The headline of a tree: the word of an assessment, or how it stands in the strongest wind. -->
+<!-- The headline of a tree: the word of an assessment, or how it stands in the strongest wind, and that nobody looked at its
+     roots. -->
 <xsl:template name="headline">
   <xsl:variable name="small"><xsl:call-template name="small"/></xsl:variable>
   <xsl:choose>
@@ -556,7 +559,13 @@
     <xsl:when test="assessment">
       <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.word.', assessment/word)"/></xsl:call-template>
     </xsl:when>
-    <xsl:otherwise><xsl:call-template name="verdict"/></xsl:otherwise>
+    <xsl:otherwise>
+      <xsl:call-template name="verdict"/>
+      <xsl:if test="not(verdict/criteria/item[criterion = 'overturning'])">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">fp.roots</xsl:with-param></xsl:call-template>
+      </xsl:if>
+    </xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
