@@ -297,15 +297,14 @@
     <xsl:when test="interval">
       <xsl:for-each select="interval">
         <xsl:call-template name="say">
-          <xsl:with-param name="id">fp.interval</xsl:with-param>
-          <xsl:with-param name="a">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template></xsl:with-param>
-          <xsl:with-param name="b">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template></xsl:with-param>
-          <xsl:with-param name="c">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_gust_m_s"/></xsl:call-template></xsl:with-param>
-          <xsl:with-param name="d">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_gust_m_s"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="id">fp.wind</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="iv-range">
+            <xsl:with-param name="low" select="low_m_s"/><xsl:with-param name="high" select="high_m_s"/>
+          </xsl:call-template></xsl:with-param>
+          <xsl:with-param name="b"><xsl:call-template name="iv-range">
+            <xsl:with-param name="low" select="low_gust_m_s"/><xsl:with-param name="high" select="high_gust_m_s"/>
+            <xsl:with-param name="end"><xsl:call-template name="iv-gust-end"/></xsl:with-param>
+          </xsl:call-template></xsl:with-param>
         </xsl:call-template>
       </xsl:for-each>
     </xsl:when>
@@ -649,9 +648,10 @@
       <xsl:choose>
         <xsl:when test="interval">
           <xsl:for-each select="interval">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
-            <xsl:text>–</xsl:text>
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template>
+            <xsl:call-template name="iv-range">
+              <xsl:with-param name="low" select="low_m_s"/><xsl:with-param name="high" select="high_m_s"/>
+              <xsl:with-param name="id">fp.range</xsl:with-param>
+            </xsl:call-template>
           </xsl:for-each>
         </xsl:when>
         <xsl:otherwise>–</xsl:otherwise>
