@@ -349,6 +349,30 @@
   </xsl:for-each>
 </xsl:template>
 
+<!-- The wind in which the tree is lost from the direction in which it is weakest, and of which direction everything else is. The
+     context is that direction. -->
+<xsl:template name="front-weakest">
+  <xsl:variable name="x" select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value"/>
+  <xsl:variable name="around" select="../.."/>
+  <xsl:variable name="off" select="from/value - $around/main_from/value"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">fp.direction.lost</xsl:with-param>
+    <xsl:with-param name="a"><xsl:call-template name="compass"><xsl:with-param name="of" select="."/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="b" select="$around/number"/>
+    <xsl:with-param name="c">
+      <xsl:for-each select="$around/.."><xsl:call-template name="front-speed">
+        <xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:for-each>
+    </xsl:with-param>
+  </xsl:call-template>
+  <xsl:if test="$off &gt; 0.001 or $off &lt; -0.001">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">fp.direction.main</xsl:with-param>
+      <xsl:with-param name="a" select="format-number($degrees * $around/main_from/value, '0.#')"/>
+    </xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
 <!-- The direction in which the tree is weakest, or which one was computed. -->
 <xsl:template name="front-direction">
   <xsl:variable name="all" select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found']"/>
@@ -364,13 +388,24 @@
       <xsl:for-each select="$all">
         <xsl:sort select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value" data-type="number"/>
         <xsl:if test="position() = 1">
-          <xsl:call-template name="say">
-            <xsl:with-param name="id">fp.direction.weakest</xsl:with-param>
-            <xsl:with-param name="a" select="format-number($degrees * from/value, '0')"/>
-            <xsl:with-param name="b" select="../../number"/>
-          </xsl:call-template>
+          <xsl:call-template name="front-weakest"/>
         </xsl:if>
       </xsl:for-each>
+    </xsl:when>
+    <xsl:when test="directions/directions/item">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">
+          <xsl:choose>
+            <xsl:when test="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome != 'above']">
+              <xsl:text>fp.direction.none</xsl:text></xsl:when>
+            <xsl:otherwise>fp.direction.above</xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="a" select="directions/number"/>
+        <xsl:with-param name="b"><xsl:call-template name="given">
+          <xsl:with-param name="x" select="(verdict | self::*[not(verdict)]/critical_stem)/speed_high/value"/>
+        </xsl:call-template></xsl:with-param>
+      </xsl:call-template>
     </xsl:when>
     <xsl:when test="assessment/directions/item"> <!-- results of earlier versions -->
       <xsl:for-each select="assessment/directions/item[breakage/value != '' or overturning/value != '']">
