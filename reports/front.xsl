@@ -95,6 +95,10 @@
 <!-- What is on the tree, and how much of the wind blows with it. -->
 <xsl:template name="front-load">
   <xsl:variable name="s" select="scenario"/>
+  <xsl:if test="warnings/item[code = 'no-leaves']">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">fp.bare</xsl:with-param></xsl:call-template>
+  </xsl:if>
   <xsl:if test="$s/snow/value &gt; 0">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">

@@ -428,7 +428,8 @@
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
-  <xsl:if test="(verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt; species/streamlining/speed_high/value">
+  <xsl:if test="(model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0) and
+    (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt; species/streamlining/speed_high/value">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">sum.extrapolated</xsl:with-param>
@@ -530,7 +531,7 @@
   <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
   <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
   <xsl:variable name="untested" select="$trees[critical_stem/within_limits = 'true' and
-    not(method/solver/as_printed = 'true') and (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
+    not(method/solver/as_printed = 'true') and (model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0) and (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
     species/streamlining/speed_high/value]"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">
@@ -552,9 +553,9 @@
   </xsl:if>
 </xsl:template>
 
-<!-- What a scan may lack. -->
+<!-- What a scan may lack: wood, and the crown. -->
 <xsl:template name="care-scan">
-  <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart']">
+  <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart' or code = 'no-leaves']">
     <p class="care">
       <xsl:call-template name="term">
         <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
