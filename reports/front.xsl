@@ -41,7 +41,7 @@
   </xsl:call-template>
 </xsl:template>
 
-<!-- A row of safety: against what | safety | required | where. -->
+<!-- A row of safety: against what | safety | required, or the limit at which it fails | where. -->
 <xsl:template name="front-safety">
   <xsl:param name="id"/><xsl:param name="safety"/><xsl:param name="high"/><xsl:param name="required"/><xsl:param name="where"/>
   <xsl:param name="name"/>
@@ -246,7 +246,11 @@
 <xsl:template name="front-safeties">
   <table class="data front-safety">
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">fp.c.against;fp.c.safety:;fp.c.required:;fp.c.where</xsl:with-param>
+      <xsl:with-param name="of">
+        <xsl:text>fp.c.against;fp.c.safety:;</xsl:text>
+        <xsl:choose><xsl:when test="assessment">fp.c.required:</xsl:when><xsl:otherwise>fp.c.limit:</xsl:otherwise></xsl:choose>
+        <xsl:text>;fp.c.where</xsl:text>
+      </xsl:with-param>
       <xsl:with-param name="units">no</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody><xsl:call-template name="front-stem"/><xsl:call-template name="front-root"/></tbody>
@@ -506,6 +510,10 @@
               <xsl:otherwise>fp.lacks.limbs</xsl:otherwise>
             </xsl:choose>
           </xsl:with-param></xsl:call-template></li>
+        </xsl:when>
+        <!-- a crown that hangs on a stem without branches -->
+        <xsl:when test="$trees/model[levels = 1][leaf_area/value &gt; 0 or frontal_area/value &gt; 0]">
+          <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.limbs</xsl:with-param></xsl:call-template></li>
         </xsl:when>
         <xsl:otherwise>
           <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.tree</xsl:with-param></xsl:call-template></li>
