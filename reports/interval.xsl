@@ -104,7 +104,7 @@
   <xsl:for-each select="interval">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">iv.brief<xsl:if test="low_m_s = ''">.none</xsl:if></xsl:with-param>
+      <xsl:with-param name="id">iv.brief<xsl:if test="low_m_s = ''">.none</xsl:if>.<xsl:value-of select="scope"/></xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
       </xsl:with-param>

@@ -432,7 +432,9 @@
     (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt; species/streamlining/speed_high/value">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">sum.extrapolated</xsl:with-param>
+      <xsl:with-param name="id">
+        <xsl:text>sum.extrapolated</xsl:text><xsl:if test="not(verdict/criteria/item[criterion = 'overturning'])">.stem</xsl:if>
+      </xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="given">
           <xsl:with-param name="x" select="species/streamlining/speed_high/value"/>
