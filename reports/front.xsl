@@ -647,7 +647,12 @@
       <xsl:call-template name="front-load"/>
       <xsl:for-each select="assessment/because/item">
         <xsl:value-of select="$gap"/>
-        <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.because.', reason)"/></xsl:call-template>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">
+            <xsl:value-of select="concat('as.because.', reason)"/>
+            <xsl:if test="reason = 'saturated-soil' and ../../saturated_high &lt; 1">.sure</xsl:if>
+          </xsl:with-param>
+        </xsl:call-template>
       </xsl:for-each>
     </p>
     <xsl:call-template name="front-safeties"/>
