@@ -727,12 +727,16 @@
         </xsl:when>
         <xsl:otherwise>
           <xsl:call-template name="front-outcome"/>
-          <xsl:if test="verdict/criterion = 'overturning' and critical_stem/outcome = 'found' and critical_stem/within_limits = 'true'">
-            <xsl:call-template name="say">
-              <xsl:with-param name="id">fp.stem-too</xsl:with-param>
-              <xsl:with-param name="a" select="format-number(critical_stem/speed/value, '0.0')"/>
-            </xsl:call-template>
-          </xsl:if>
+          <xsl:for-each select="verdict[criterion = 'overturning']/criteria/item[loses_tree = 'true' and outcome = 'found' and
+            within_limits = 'true' and criterion != 'overturning']">
+            <xsl:sort select="critical_speed/value" data-type="number"/>
+            <xsl:if test="position() = 1">
+              <xsl:call-template name="say">
+                <xsl:with-param name="id">fp.stem-too</xsl:with-param>
+                <xsl:with-param name="a" select="format-number(critical_speed/value, '0.0')"/>
+              </xsl:call-template>
+            </xsl:if>
+          </xsl:for-each>
         </xsl:otherwise>
       </xsl:choose>
       <xsl:if test="verdict/not_assessed/item[criterion = 'overturning']">
