@@ -539,7 +539,8 @@
   <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
   <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
   <xsl:variable name="untested" select="$trees[critical_stem/within_limits = 'true' and
-    not(method/solver/as_printed = 'true') and (model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0) and (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
+    not(method/solver/as_printed = 'true') and (model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0) and
+    (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
     species/streamlining/speed_high/value]"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">
