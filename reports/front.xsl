@@ -41,7 +41,7 @@
   </xsl:call-template>
 </xsl:template>
 
-<!-- A row of safety: against what | safety | required | where. -->
+<!-- A row of safety: against what | safety | required, or the limit at which it fails | where. -->
 <xsl:template name="front-safety">
   <xsl:param name="id"/><xsl:param name="safety"/><xsl:param name="high"/><xsl:param name="required"/><xsl:param name="where"/>
   <xsl:param name="name"/>
@@ -95,6 +95,10 @@
 <!-- What is on the tree, and how much of the wind blows with it. -->
 <xsl:template name="front-load">
   <xsl:variable name="s" select="scenario"/>
+  <xsl:if test="warnings/item[code = 'no-leaves']">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">fp.bare</xsl:with-param></xsl:call-template>
+  </xsl:if>
   <xsl:if test="$s/snow/value &gt; 0">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
@@ -258,7 +262,11 @@
 <xsl:template name="front-safeties">
   <table class="data front-safety">
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">fp.c.against;fp.c.safety:;fp.c.required:;fp.c.where</xsl:with-param>
+      <xsl:with-param name="of">
+        <xsl:text>fp.c.against;fp.c.safety:;</xsl:text>
+        <xsl:choose><xsl:when test="assessment">fp.c.required:</xsl:when><xsl:otherwise>fp.c.limit:</xsl:otherwise></xsl:choose>
+        <xsl:text>;fp.c.where</xsl:text>
+      </xsl:with-param>
       <xsl:with-param name="units">no</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
@@ -315,15 +323,14 @@
     <xsl:when test="interval">
       <xsl:for-each select="interval">
         <xsl:call-template name="say">
-          <xsl:with-param name="id">fp.interval</xsl:with-param>
-          <xsl:with-param name="a">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template></xsl:with-param>
-          <xsl:with-param name="b">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template></xsl:with-param>
-          <xsl:with-param name="c">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_gust_m_s"/></xsl:call-template></xsl:with-param>
-          <xsl:with-param name="d">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_gust_m_s"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="id">fp.wind</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="iv-range">
+            <xsl:with-param name="low" select="low_m_s"/><xsl:with-param name="high" select="high_m_s"/>
+          </xsl:call-template></xsl:with-param>
+          <xsl:with-param name="b"><xsl:call-template name="iv-range">
+            <xsl:with-param name="low" select="low_gust_m_s"/><xsl:with-param name="high" select="high_gust_m_s"/>
+            <xsl:with-param name="end"><xsl:call-template name="iv-gust-end"/></xsl:with-param>
+          </xsl:call-template></xsl:with-param>
         </xsl:call-template>
       </xsl:for-each>
     </xsl:when>
@@ -368,6 +375,30 @@
   </xsl:for-each>
 </xsl:template>
 
+<!-- The wind in which the tree is lost from the direction in which it is weakest, and of which direction everything else is. The
+     context is that direction. -->
+<xsl:template name="front-weakest">
+  <xsl:variable name="x" select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value"/>
+  <xsl:variable name="around" select="../.."/>
+  <xsl:variable name="off" select="from/value - $around/main_from/value"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">fp.direction.lost</xsl:with-param>
+    <xsl:with-param name="a"><xsl:call-template name="compass"><xsl:with-param name="of" select="."/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="b" select="$around/number"/>
+    <xsl:with-param name="c">
+      <xsl:for-each select="$around/.."><xsl:call-template name="front-speed">
+        <xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:for-each>
+    </xsl:with-param>
+  </xsl:call-template>
+  <xsl:if test="$off &gt; 0.001 or $off &lt; -0.001">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">fp.direction.main</xsl:with-param>
+      <xsl:with-param name="a" select="format-number($degrees * $around/main_from/value, '0.#')"/>
+    </xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
 <!-- The direction in which the tree is weakest, or which one was computed. -->
 <xsl:template name="front-direction">
   <xsl:variable name="all" select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found']"/>
@@ -383,13 +414,24 @@
       <xsl:for-each select="$all">
         <xsl:sort select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value" data-type="number"/>
         <xsl:if test="position() = 1">
-          <xsl:call-template name="say">
-            <xsl:with-param name="id">fp.direction.weakest</xsl:with-param>
-            <xsl:with-param name="a" select="format-number($degrees * from/value, '0')"/>
-            <xsl:with-param name="b" select="../../number"/>
-          </xsl:call-template>
+          <xsl:call-template name="front-weakest"/>
         </xsl:if>
       </xsl:for-each>
+    </xsl:when>
+    <xsl:when test="directions/directions/item">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">
+          <xsl:choose>
+            <xsl:when test="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome != 'above']">
+              <xsl:text>fp.direction.none</xsl:text></xsl:when>
+            <xsl:otherwise>fp.direction.above</xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="a" select="directions/number"/>
+        <xsl:with-param name="b"><xsl:call-template name="given">
+          <xsl:with-param name="x" select="(verdict | self::*[not(verdict)]/critical_stem)/speed_high/value"/>
+        </xsl:call-template></xsl:with-param>
+      </xsl:call-template>
     </xsl:when>
     <xsl:when test="assessment/directions/item"> <!-- results of earlier versions -->
       <xsl:for-each select="assessment/directions/item[breakage/value != '' or overturning/value != '']">
@@ -419,7 +461,9 @@
 <xsl:template name="front-facts">
   <table class="block facts">
     <xsl:call-template name="block-row">
-      <xsl:with-param name="id">fp.lost</xsl:with-param>
+      <xsl:with-param name="id">
+        <xsl:text>fp.lost</xsl:text><xsl:if test="not(verdict/criteria/item[criterion = 'overturning'])">.stem</xsl:if>
+      </xsl:with-param>
       <xsl:with-param name="text"><xsl:call-template name="front-lost"/></xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="block-row">
@@ -484,6 +528,10 @@
               <xsl:otherwise>fp.lacks.limbs</xsl:otherwise>
             </xsl:choose>
           </xsl:with-param></xsl:call-template></li>
+        </xsl:when>
+        <!-- a crown that hangs on a stem without branches -->
+        <xsl:when test="$trees/model[levels = 1][leaf_area/value &gt; 0 or frontal_area/value &gt; 0]">
+          <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.limbs</xsl:with-param></xsl:call-template></li>
         </xsl:when>
         <xsl:otherwise>
           <li><xsl:call-template name="say"><xsl:with-param name="id">fp.lacks.tree</xsl:with-param></xsl:call-template></li>
@@ -560,7 +608,8 @@
   </table>
 </xsl:template>
 
-<!-- The headline of a tree: the word of an assessment, or how it stands in the strongest wind. -->
+<!-- The headline of a tree: the word of an assessment, or how it stands in the strongest wind, and that nobody looked at its
+     roots. -->
 <xsl:template name="headline">
   <xsl:variable name="small"><xsl:call-template name="small"/></xsl:variable>
   <xsl:choose>
@@ -574,7 +623,13 @@
     <xsl:when test="assessment">
       <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.word.', assessment/word)"/></xsl:call-template>
     </xsl:when>
-    <xsl:otherwise><xsl:call-template name="verdict"/></xsl:otherwise>
+    <xsl:otherwise>
+      <xsl:call-template name="verdict"/>
+      <xsl:if test="not(verdict/criteria/item[criterion = 'overturning'])">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">fp.roots</xsl:with-param></xsl:call-template>
+      </xsl:if>
+    </xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
@@ -610,7 +665,12 @@
       <xsl:call-template name="front-load"/>
       <xsl:for-each select="assessment/because/item">
         <xsl:value-of select="$gap"/>
-        <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.because.', reason)"/></xsl:call-template>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">
+            <xsl:value-of select="concat('as.because.', reason)"/>
+            <xsl:if test="reason = 'saturated-soil' and ../../saturated_high &lt; 1">.sure</xsl:if>
+          </xsl:with-param>
+        </xsl:call-template>
       </xsl:for-each>
     </p>
     <xsl:call-template name="front-safeties"/>
@@ -658,9 +718,10 @@
       <xsl:choose>
         <xsl:when test="interval">
           <xsl:for-each select="interval">
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
-            <xsl:text>–</xsl:text>
-            <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template>
+            <xsl:call-template name="iv-range">
+              <xsl:with-param name="low" select="low_m_s"/><xsl:with-param name="high" select="high_m_s"/>
+              <xsl:with-param name="id">fp.range</xsl:with-param>
+            </xsl:call-template>
           </xsl:for-each>
         </xsl:when>
         <xsl:otherwise>–</xsl:otherwise>
@@ -684,12 +745,16 @@
         </xsl:when>
         <xsl:otherwise>
           <xsl:call-template name="front-outcome"/>
-          <xsl:if test="verdict/criterion = 'overturning' and critical_stem/outcome = 'found' and critical_stem/within_limits = 'true'">
-            <xsl:call-template name="say">
-              <xsl:with-param name="id">fp.stem-too</xsl:with-param>
-              <xsl:with-param name="a" select="format-number(critical_stem/speed/value, '0.0')"/>
-            </xsl:call-template>
-          </xsl:if>
+          <xsl:for-each select="verdict[criterion = 'overturning']/criteria/item[loses_tree = 'true' and outcome = 'found' and
+            within_limits = 'true' and criterion != 'overturning']">
+            <xsl:sort select="critical_speed/value" data-type="number"/>
+            <xsl:if test="position() = 1">
+              <xsl:call-template name="say">
+                <xsl:with-param name="id">fp.stem-too</xsl:with-param>
+                <xsl:with-param name="a" select="format-number(critical_speed/value, '0.0')"/>
+              </xsl:call-template>
+            </xsl:if>
+          </xsl:for-each>
         </xsl:otherwise>
       </xsl:choose>
       <xsl:if test="verdict/not_assessed/item[criterion = 'overturning']">

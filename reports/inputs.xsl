@@ -193,7 +193,13 @@
       </tbody>
     </xsl:for-each>
   </table>
-  <xsl:if test="species/note != ''"><p class="note"><xsl:value-of select="species/note"/></p></xsl:if>
+  <xsl:if test="species/note != ''">
+    <p class="note">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">in.species.note</xsl:with-param><xsl:with-param name="a" select="species/note"/>
+      </xsl:call-template>
+    </p>
+  </xsl:if>
 </xsl:template>
 
 <xsl:template name="metres"><xsl:param name="x"/><xsl:call-template name="given"><xsl:with-param name="x" select="$x"/>
@@ -285,7 +291,7 @@
       </xsl:call-template>
     </xsl:if>
     <xsl:call-template name="block-row">
-      <xsl:with-param name="id">in.segments<xsl:if test="levels &gt; 1">.stem</xsl:if></xsl:with-param>
+      <xsl:with-param name="id">in.segments<xsl:if test="levels &gt; 1">.tree</xsl:if></xsl:with-param>
      <xsl:with-param name="text" select="string(segments)"/>
     </xsl:call-template>
     <xsl:call-template name="block-row">

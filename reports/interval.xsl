@@ -18,17 +18,40 @@
   </xsl:choose>
 </xsl:template>
 
+<!-- From one wind to another by the string `id`; once where the search ended below both. Context: an interval. -->
+<xsl:template name="iv-range">
+  <xsl:param name="low"/><xsl:param name="high"/><xsl:param name="end" select="searched_to_m_s"/><xsl:param name="id">range</xsl:param>
+  <xsl:choose>
+    <xsl:when test="string($low) = ''">
+      <xsl:call-template name="iv-wind"><xsl:with-param name="end" select="$end"/></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id" select="$id"/>
+        <xsl:with-param name="a">
+          <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="$low"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="b">
+          <xsl:call-template name="iv-wind">
+            <xsl:with-param name="x" select="$high"/><xsl:with-param name="end" select="$end"/></xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- The gust at the end of the search, which results of version 0.6 do not have. Context: an interval. -->
+<xsl:template name="iv-gust-end">
+  <xsl:choose>
+    <xsl:when test="searched_to_gust_m_s != ''"><xsl:value-of select="searched_to_gust_m_s"/></xsl:when>
+    <xsl:when test="low_m_s &gt; 0"><xsl:value-of select="searched_to_m_s * low_gust_m_s div low_m_s"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="searched_to_m_s"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- The sentences. Context: an interval. -->
 <xsl:template name="iv-words">
   <xsl:param name="name"/>
-  <!-- the gust at the end of the search, which results of version 0.6 do not have -->
-  <xsl:variable name="end">
-    <xsl:choose>
-      <xsl:when test="searched_to_gust_m_s != ''"><xsl:value-of select="searched_to_gust_m_s"/></xsl:when>
-      <xsl:when test="low_m_s &gt; 0"><xsl:value-of select="searched_to_m_s * low_gust_m_s div low_m_s"/></xsl:when>
-      <xsl:otherwise><xsl:value-of select="searched_to_m_s"/></xsl:otherwise>
-    </xsl:choose>
-  </xsl:variable>
+  <xsl:variable name="end"><xsl:call-template name="iv-gust-end"/></xsl:variable>
   <xsl:call-template name="say">
     <xsl:with-param name="id">iv.<xsl:choose>
       <xsl:when test="low_m_s = ''">none</xsl:when><xsl:when test="middle_m_s = ''">half</xsl:when><xsl:otherwise>line</xsl:otherwise>
@@ -81,7 +104,7 @@
   <xsl:for-each select="interval">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">iv.brief<xsl:if test="low_m_s = ''">.none</xsl:if></xsl:with-param>
+      <xsl:with-param name="id">iv.brief<xsl:if test="low_m_s = ''">.none</xsl:if>.<xsl:value-of select="scope"/></xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
       </xsl:with-param>

@@ -93,8 +93,14 @@
     <xsl:call-template name="note">
       <xsl:with-param name="id">m.crown</xsl:with-param>
       <xsl:with-param name="text">
-        <xsl:for-each select="$trees[not(method/streamlining/name =
-          preceding-sibling::item/method/streamlining/name)]/method/streamlining">
+        <!-- a tree with neither leaves nor a crown's area has no crown that a law could bend -->
+        <xsl:variable name="crowned" select="$trees[model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0]"/>
+        <xsl:if test="not($crowned)">
+          <xsl:call-template name="say"><xsl:with-param name="id">m.crown.none</xsl:with-param></xsl:call-template>
+        </xsl:if>
+        <xsl:for-each select="$crowned[not(method/streamlining/name =
+          preceding-sibling::item[model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0]/method/streamlining/name)]
+          /method/streamlining">
           <xsl:if test="position() &gt; 1"><br/></xsl:if>
           <b>
             <xsl:call-template name="term">

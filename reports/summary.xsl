@@ -368,24 +368,30 @@
       <xsl:with-param name="c" select="format-number(critical/governing_section/height/value, '0.0')"/>
     </xsl:call-template>
   </xsl:if>
-  <xsl:if test="verdict/criterion != 'breakage' and critical_stem/outcome = 'found' and critical_stem/within_limits =
-    'true'">
-    <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say">
-      <xsl:with-param name="id">sum.stem</xsl:with-param>
-      <xsl:with-param name="a" select="format-number(critical_stem/speed/value, '0.0')"/>
-      <xsl:with-param name="b">
-        <xsl:call-template name="place">
-          <xsl:with-param name="height" select="critical_stem/governing_section/height/value"/>
-          <xsl:with-param name="section" select="critical_stem/governing_section"/>
-        </xsl:call-template>
-      </xsl:with-param>
-      <xsl:with-param name="c">
-        <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_stem/speed/value"/></xsl:call-template>
-      </xsl:with-param>
-    </xsl:call-template>
-  </xsl:if>
-  <xsl:if test="verdict/criterion != 'breakage' and critical_stem/outcome = 'above'">
+  <!-- the criterion of the stem that is reached first, or its breakage where another one was named before -->
+  <xsl:variable name="stem" select="verdict[criterion != 'breakage']/criteria/item[loses_tree = 'true' and outcome = 'found' and
+    within_limits = 'true' and criterion != 'overturning' and (criterion = 'breakage' or ../../criterion = 'overturning')]"/>
+  <xsl:for-each select="$stem">
+    <xsl:sort select="critical_speed/value" data-type="number"/>
+    <xsl:if test="position() = 1">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id" select="concat('sum.stem.', criterion)"/>
+        <xsl:with-param name="a" select="format-number(critical_speed/value, '0.0')"/>
+        <xsl:with-param name="b">
+          <xsl:call-template name="place">
+            <xsl:with-param name="height" select="height/value"/>
+            <xsl:with-param name="section"
+              select="../../../criteria/item[criterion = current()/criterion and scope = 'stem']/governing_section"/>
+          </xsl:call-template>
+        </xsl:with-param>
+        <xsl:with-param name="c">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_speed/value"/></xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:if>
+  </xsl:for-each>
+  <xsl:if test="verdict/criterion != 'breakage' and not($stem) and critical_stem/outcome = 'above'">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">sum.stem.above</xsl:with-param>
@@ -428,10 +434,13 @@
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
-  <xsl:if test="(verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt; species/streamlining/speed_high/value">
+  <xsl:if test="(model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0) and
+    (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt; species/streamlining/speed_high/value">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">sum.extrapolated</xsl:with-param>
+      <xsl:with-param name="id">
+        <xsl:text>sum.extrapolated</xsl:text><xsl:if test="not(verdict/criteria/item[criterion = 'overturning'])">.stem</xsl:if>
+      </xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="given">
           <xsl:with-param name="x" select="species/streamlining/speed_high/value"/>
@@ -530,7 +539,8 @@
   <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
   <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
   <xsl:variable name="untested" select="$trees[critical_stem/within_limits = 'true' and
-    not(method/solver/as_printed = 'true') and (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
+    not(method/solver/as_printed = 'true') and (model/leaf_area/value &gt; 0 or model/frontal_area/value &gt; 0) and
+    (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
     species/streamlining/speed_high/value]"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">
@@ -552,9 +562,9 @@
   </xsl:if>
 </xsl:template>
 
-<!-- What a scan may lack. -->
+<!-- What a scan may lack: wood, and the crown. -->
 <xsl:template name="care-scan">
-  <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart']">
+  <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart' or code = 'no-leaves']">
     <p class="care">
       <xsl:call-template name="term">
         <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>

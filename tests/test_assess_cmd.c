@@ -106,7 +106,7 @@ static void cards(void **state)
         { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
           CODE_OK,
           { "elastic limit) 2.14 1.5 ", "bending strength) 4.58 1.5 ", "overturning (roots) 0.84 1.5 ",
-            "soil 0.42–0.55 1.5 " } },
+            "soil 0.42–0.55 1.5 ", "In saturated soil it overturns." } },
         { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
           CODE_OK,
           { "Tree is lost at 23 m/", "15 to 41 m/", "once in 12 years",

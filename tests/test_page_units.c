@@ -41,6 +41,7 @@ static void numbers_are_turned_with_their_units(void **state)
         { "1,133 kg, 12.0 MPa and 8.3 GPa", "2,498 lb, 1,740 psi and 1,200 ksi" },
         { "id 2, order 0, 812 mm thick", "id 2, order 0, 32.0 in thick" },
         { "13 to 35 m/s", "29 to 78 mph" },
+        { "40 to above 60 m/s", "89 to above 134 mph" },
         { "mostly 4-20 m/s", "mostly 9-45 mph" },
         { "between 15 and 41 m/s", "between 34 and 92 mph" },
         { "EN 1991-1-4, 25.2 m/s", "EN 1991-1-4, 56.4 mph" },

@@ -128,7 +128,9 @@ static void print_reasons(FILE *to, const struct wf_analysis *an)
                 safety_text(x->low, x->required, text),
                 x->high < x->required ? "as at its high end below" : "below", x->required);
     if (x->because & WF_ASSESS_WET)
-        wf_show(to, "    in saturated soil it may overturn: safety %s to %s\n",
+        wf_show(to,
+                x->wet_high < 1 ? "    in saturated soil it overturns: safety %s to %s\n"
+                                : "    in saturated soil it may overturn: safety %s to %s\n",
                 safety_text(x->wet_low, x->required, text), safety_text(x->wet_high, x->required, high));
     if (x->because & WF_ASSESS_NO_OVERTURNING)
         wf_show(to, "    overturning is not assessed: this says nothing of the roots\n");

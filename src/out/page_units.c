@@ -228,7 +228,7 @@ enum between { APART, JOINED, UNSURE };
 
 static enum between what_is_between(const char *text, const struct found *a, const struct found *b)
 {
-    static const char *const joins[] = { " to ", "–", "-", "…", " … ", "至", " 至 ", " bis " };
+    static const char *const joins[] = { " to ", " to above ", "–", "-", "…", " … ", "至", " 至 ", " bis " };
     static const char *const unsure[] = {
         ", ", " and ", " or ", "、", " 和 ", "和", " x ", " × ", " / ", "/"
     };

@@ -27,7 +27,7 @@ struct wf_beside {
     double cut;       /* share of the crown that is gone [-] */
     double speed;     /* that wind [m/s] */
     double drag, weight, base_moment; /* of the whole tree [N], [N m]; NAN: no equilibrium */
-    double safety;                    /* the least of the stem against loss of the tree [-] */
+    double safety;                    /* against loss of the tree: of stem and root, as assessed [-] */
     double branches; /* the least of the branches that are listed [-]; NAN: none are, or not known */
     double branch_gusts, damping; /* peak over mean load on branches that have a peak of their own, and the
                                      damping of the sway [-]; NAN: they have none */
