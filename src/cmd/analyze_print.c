@@ -335,8 +335,11 @@ static void print_first(FILE *to, const struct wf_analysis *an)
     const struct wf_break *b = wf_verdict_first(an->breaks, &by);
     const struct wf_tree *t = &an->tree;
     if (b->row < 0 || t->level[b->row] == 0) return;
-    wf_show(to, "  the %s %s", wf_model_level_name(an->model, an->species, t->level[b->row]),
-            by == WF_BREAKAGE ? "breaks first: " : "fails first: ");
+    const char *part = wf_model_level_name(an->model, an->species, t->level[b->row]);
+    if (by == WF_BREAKAGE)
+        wf_show(to, "  the %s breaks first: ", part);
+    else
+        wf_show(to, "  the %s fails first: ", part);
     print_wind(to, an, &b->critical);
     wf_show(to, "; %.2f m above the ground", b->height);
     print_failing(to, an, b->row, b->place);
