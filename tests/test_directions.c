@@ -111,6 +111,36 @@ static void alike_from_all_around(void **state)
 }
 
 /* Turning the tree turns the answers: leaning to the north instead of the east is a quarter back. */
+/* Meshes of further directions are those of the first, in which other branches govern: critical winds of
+ * branches are as accurate as specified all the same. */
+static void branches_from_all_around(void **state)
+{
+    (void)state;
+    static const double tolerance[2] = { 1e-6, 1e-8 };
+    struct made m[2];
+    struct wf_directions all[2];
+    const struct wf_directions_request q = { .n = N };
+    size_t found = 0;
+    for (int k = 0; k < 2; k++) {
+        made_read(&m[k], "species/lime.yaml", "models/papers/broadleaf_few_shoots.yaml");
+        m[k].scenario.peak.method = "en1991";
+        m[k].options.mesh_tolerance = tolerance[k];
+        made_analyse(&m[k], (double[]){ 40 }, 1);
+        around(&m[k], &q, &all[k]);
+    }
+    for (size_t i = 0; i < N; i++)
+        for (int c = 0; c < WF_CRITERIA; c++) {
+            const struct wf_critical *a = &all[0].direction[i].breaks[c][WF_SCOPE_BRANCHES].critical,
+                                     *b = &all[1].direction[i].breaks[c][WF_SCOPE_BRANCHES].critical;
+            assert_int_equal(a->outcome, b->outcome);
+            if (a->outcome != WF_CRITICAL_FOUND) continue;
+            assert_close(a->speed, b->speed, 1e-6);
+            found++;
+        }
+    assert_true(found >= N);
+    wf_arena_free(&m[0].arena), wf_arena_free(&m[1].arena);
+}
+
 static void the_tree_turned(void **state)
 {
     (void)state;
@@ -221,13 +251,12 @@ static void mistakes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(names_of_directions),
-                                        cmocka_unit_test(each_direction_is_an_analysis),
-                                        cmocka_unit_test(the_tree_turned),
-                                        cmocka_unit_test(alike_from_all_around),
-                                        cmocka_unit_test(any_number_of_threads),
-                                        cmocka_unit_test(hours_of_a_climate),
-                                        cmocka_unit_test(mistakes),
-                                        cmocka_unit_test(gusts_of_each_direction) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(names_of_directions),      cmocka_unit_test(each_direction_is_an_analysis),
+        cmocka_unit_test(the_tree_turned),          cmocka_unit_test(alike_from_all_around),
+        cmocka_unit_test(branches_from_all_around), cmocka_unit_test(any_number_of_threads),
+        cmocka_unit_test(hours_of_a_climate),       cmocka_unit_test(mistakes),
+        cmocka_unit_test(gusts_of_each_direction)
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

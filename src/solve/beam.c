@@ -152,7 +152,7 @@ static bool rests_beside(struct wf_beam *b, const struct wf_beam *from, size_t i
     return rests;
 }
 
-/* From the shape of another solution in the same wind by steps of its load. */
+/* From the shape of another solution by steps of the wind's load from that on it. */
 static bool approaches(struct wf_beam *b, const struct wf_beam *from, struct wf_arena *a)
 {
     const struct wf_solve_options *own = b->options;

@@ -236,6 +236,7 @@ bool wf_beam_approach(struct wf_beam *b, double speed, double scale, struct wf_a
         done = share, step *= 1.5, rests = share == 1;
     }
     b->loads = full;
+    b->k0 = NULL; /* it is of this arena */
     return rests;
 }
 

@@ -233,9 +233,15 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     enum wf_status s =
         wf_beam_solve(k->tree, l, &k->options, &known, &k->work, newton_of(k, l), &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
-    if (!s) carry_forms(k, &before);
+    if (s) { /* what was known is not lost */
+        before.outcome = k->outcome;
+        wf_arena_free(&k->work), wf_arena_free(&k->newton);
+        *k = before;
+        return s;
+    }
+    carry_forms(k, &before);
     wf_arena_free(&before.work), wf_arena_free(&before.newton);
-    return s;
+    return WF_OK;
 }
 
 static bool comes_to_rest(struct wf_track *k, const struct wf_loads *l, struct wf_arena *scratch);

@@ -357,7 +357,7 @@ double wf_nodes_finer(const struct wf_nodes *k, enum wf_node_part part, double c
 {
     const struct wf_track *track[2] = { track_of(k, coarse, part), track_of(k, fine, part) };
     double n[2] = { 0, 0 };
-    if (!track[0] || !track[1]) return 0;
+    if (!track[0] || !track[1] || k->like) return 0;
     for (size_t i = 0; i < k->an->tree.n; i++)
         if (row < 0 || on_way(&k->an->tree, row, (int32_t)i))
             for (int m = 0; m < 2; m++) n[m] += wf_track_pieces(track[m], i);

@@ -99,7 +99,8 @@ enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options 
 enum wf_status wf_nodes_solve_part(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
                                    enum wf_node_part part, const struct wf_node **out, struct wf_err *e);
 /* How many times as many elements as on the mesh of one tolerance there are on that of another, in all rows
- * (row -1) or in those that a row carries or is carried by, itself included [-]; 0: a mesh is not known. */
+ * (row -1) or in those that a row carries or is carried by, itself included [-]; 0: a mesh is not known, or is
+ * that of other nodes, made for other rows to govern. */
 double wf_nodes_finer(const struct wf_nodes *k, enum wf_node_part part, double coarse, double fine,
                       int32_t row);
 /* The least safety at a node of the branches that are listed, from an->search.branches_from on [-]; NAN: none
