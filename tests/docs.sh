@@ -28,7 +28,9 @@ commands() {
 
 # What a command is said to print, a line behind "> " each: "command<TAB>text", blanks as one.
 promises() {
-    awk '/^```/ { inside = !inside; last = ""; next }
+    awk '/^```/ { inside = !inside; last = more = ""; next }
+         inside { if (more != "") { sub(/^ +/, ""); $0 = more " " $0; more = "" }
+                  if (sub(/ *\\$/, "")) { more = $0; next } }
          inside && /^(build\/)?windfirm / { last = $0; sub(/ +# .*/, "", last); next }
          inside && /^> / && last != "" { sub(/^> */, ""); gsub(/[ \t]+/, " "); print last "\t" $0 }' "$@"
 }
