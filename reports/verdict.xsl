@@ -172,7 +172,7 @@
     <xsl:call-template name="say">
       <xsl:with-param name="id">
         <xsl:text>sum.part</xsl:text>
-        <xsl:if test="$section/diameter/value &lt; ../verdict/branches_from/value">.twig</xsl:if>
+        <xsl:if test="twig = 'true' or (not(twig) and $section/diameter/value &lt; ../verdict/branches_from/value)">.twig</xsl:if>
       </xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="part">
         <xsl:with-param name="level" select="$section/part"/>
@@ -187,10 +187,9 @@
       </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
-  <xsl:variable name="all" select="directions/directions/item/first[outcome = 'found' and governing_section/level &gt; 0]"/>
-  <xsl:for-each select="$all">
+  <xsl:for-each select="directions/directions/item/first[governing_section/level &gt; 0 and outcome = 'found' and within_limits = 'true']">
     <xsl:sort select="speed/value" data-type="number"/>
-    <xsl:if test="position() = 1 and not($main/speed/value &lt;= 1.005 * speed/value)">
+    <xsl:if test="position() = 1 and not($first/speed/value &lt;= 1.005 * speed/value)">
       <xsl:value-of select="$gap"/>
       <xsl:call-template name="say">
         <xsl:with-param name="id">sum.part.from</xsl:with-param>

@@ -155,8 +155,14 @@ static void results_agree(void **state)
         first_is_lowest(tree);
         thickness_is_of_the_place(&m.made.an.tree,
                                   json_object_get(json_object_get(tree, "critical"), "governing_section"));
-        thickness_is_of_the_place(&m.made.an.tree,
-                                  json_object_get(json_object_get(tree, "first"), "governing_section"));
+        const json_t *first = json_object_get(tree, "first"),
+                     *at = json_object_get(first, "governing_section");
+        thickness_is_of_the_place(&m.made.an.tree, at);
+        const int32_t row = (int32_t)json_integer_value(json_object_get(at, "segment")) - 1;
+        assert_int_equal(json_is_true(json_object_get(first, "twig")),
+                         m.made.an.tree.level[row] > 0 &&
+                             wf_tree_thickness(&m.made.an.tree, (size_t)row, NAN) <
+                                 m.made.an.search.branches_from);
         size_t entries = 0;
         for (int c = 0; c < WF_CRITERIA; c++) entries += wf_criteria[c].whole ? 1 : WF_SCOPES;
         assert_int_equal(json_array_size(json_object_get(tree, "criteria")), entries);

@@ -301,14 +301,23 @@ static size_t drawn(struct fixture *f, struct wf_run run, const char *figure, co
     return n;
 }
 
+/* A run of one tree and its analysis, to be drawn without pages; false: there is no gnuplot. */
+static bool to_be_drawn(struct fixture *f, size_t n, struct wf_run *run, struct wf_analysis **a)
+{
+    if (skipped("gnuplot")) return false;
+    *run = mock_run(1, winds, n, &f->arena);
+    *a = (struct wf_analysis *)(uintptr_t)run->analysis;
+    only(f, "gnuplot");
+    return true;
+}
+
 /* The curves of safety are interrupted where there is no equilibrium. */
 static void no_equilibrium(void **state)
 {
     struct fixture *f = *state;
-    if (skipped("gnuplot")) return;
-    struct wf_run run = mock_run(1, winds, 3, &f->arena);
-    struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
-    only(f, "gnuplot");
+    struct wf_run run;
+    struct wf_analysis *a;
+    if (!to_be_drawn(f, 3, &run, &a)) return;
     const size_t whole = drawn(f, run, "plots/safety.svg", "M");
     for (size_t k = 12; k < 15; k++) a->sweep[k].status = WF_EUNSTABLE;
     assert_int_equal(drawn(f, run, "plots/safety.svg", "M"), whole + 2); /* of the tree, of its parts */
@@ -318,10 +327,9 @@ static void no_equilibrium(void **state)
 static void stress_at_a_top_end(void **state)
 {
     struct fixture *f = *state;
-    if (skipped("gnuplot")) return;
-    struct wf_run run = mock_run(1, winds, 1, &f->arena);
-    struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
-    only(f, "gnuplot");
+    struct wf_run run;
+    struct wf_analysis *a;
+    if (!to_be_drawn(f, 1, &run, &a)) return;
     assert_int_equal(drawn(f, run, "plots/stem.svg", "1000<"), 0);
     a->at->breakage.stress1[MOCK_SEGMENTS / 2] = 1e9;
     assert_int_equal(drawn(f, run, "plots/stem.svg", "1000<"), 1);

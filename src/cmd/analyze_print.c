@@ -344,8 +344,7 @@ static void print_first(FILE *to, const struct wf_analysis *an)
     wf_show(to, "; %.2f m above the ground", b->height);
     print_failing(to, an, b->row, b->place);
     if (by != WF_BREAKAGE) wf_show(to, ", by %s", wf_criteria[by].name);
-    wf_show(to, "%s\n",
-            wf_tree_thickness(t, (size_t)b->row, NAN) < an->search.branches_from ? ", a twig" : "");
+    wf_show(to, "%s\n", wf_verdict_twig(an, b->row) ? ", a twig" : "");
     print_weight(to, an, b);
 }
 

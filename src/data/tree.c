@@ -313,7 +313,7 @@ struct wf_breast wf_tree_breast(const struct wf_tree *t)
         along += length;
         if (share > 1) continue;
         b.row = row, b.place = fmax(0, share);
-        b.diameter = 2 * wf_between(t->r0[row], t->r1[row], b.place);
+        b.diameter = wf_tree_thickness(t, (size_t)row, b.place);
         break;
     }
     return b;

@@ -31,7 +31,7 @@ static const struct {
       "nuisance priors "
       "stands_at_low stands_at_high searched_to_the_end beyond_loss counts_self_weight loses_tree "
       "applies unsaid "
-      "sigma_estimated small_deflection spectral stopped used within within_limits" },
+      "sigma_estimated small_deflection spectral stopped twig used within within_limits" },
     { LIST, "guys braces record removals scenarios holds union_classes largest_unions cavities wall_limits "
             "least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
             "classes_m_s criteria figures files findings hours_a_year_above "

@@ -106,8 +106,10 @@ static json_t *first_part(struct wf_doc *d, const struct wf_analysis *a,
                           const struct wf_break (*breaks)[WF_SCOPES])
 {
     enum wf_criterion_id by;
-    json_t *o = critical_part(d, a, wf_verdict_first(breaks, &by));
+    const struct wf_break *b = wf_verdict_first(breaks, &by);
+    json_t *o = critical_part(d, a, b);
     wf_doc_text(d, o, "criterion", wf_criteria[by].name);
+    wf_doc_flag(d, o, "twig", wf_verdict_twig(a, b->row));
     return o;
 }
 

@@ -138,8 +138,9 @@ struct two_meshes {
  * follows is cheap. */
 enum { FOLLOW_ITERATIONS = 32, SOON = 12 };
 
-/* Newton's method from the shape of another solution, whatever its mesh, if it converges soon; a: as
- * for wf_beam_rests_soon. */
+/* Newton's method from the shape of another solution, whatever its mesh, if it converges soon. a: NULL, or
+ * for what follows where it does not: wf_beam_settle_parts, and steps of the wind's load from that on the
+ * other. */
 static bool rests_beside(struct wf_beam *b, const struct wf_beam *from, size_t iterations, struct wf_arena *a)
 {
     const struct wf_solve_options *own = b->options;
@@ -148,20 +149,10 @@ static bool rests_beside(struct wf_beam *b, const struct wf_beam *from, size_t i
     wf_beam_carry(from, b);
     b->options = &soon;
     bool rests = wf_beam_rests_soon(b, a);
-    b->options = own;
-    return rests;
-}
-
-/* From the shape of another solution by steps of the wind's load from that on it. */
-static bool approaches(struct wf_beam *b, const struct wf_beam *from, struct wf_arena *a)
-{
-    const struct wf_solve_options *own = b->options;
-    struct wf_solve_options soon = *own;
-    if (!b->loads.wind) return false;
-    soon.iterations_max = FOLLOW_ITERATIONS;
-    wf_beam_carry(from, b);
-    b->options = &soon;
-    bool rests = wf_beam_approach(b, b->loads.wind->speed, from->loads.wind_scale, a);
+    if (!rests && a && b->loads.wind) {
+        wf_beam_carry(from, b);
+        rests = wf_beam_approach(b, b->loads.wind->speed, from->loads.wind_scale, a);
+    }
     b->options = own;
     return rests;
 }
@@ -171,9 +162,7 @@ static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near,
                                   struct wf_beam_outcome *out, struct wf_err *e)
 {
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (wf_beam_rests(b)) return WF_OK;
-    if (near && (rests_beside(b, near, FOLLOW_ITERATIONS, newton) || approaches(b, near, newton)))
-        return WF_OK;
+    if (wf_beam_rests(b) || (near && rests_beside(b, near, FOLLOW_ITERATIONS, newton))) return WF_OK;
     return wf_beam_step_to_rest(b, newton, out, e);
 }
 

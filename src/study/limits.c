@@ -275,7 +275,7 @@ static void check_twig(const struct wf_analysis *an, struct wf_diag *d)
     const struct wf_tree *t = &an->tree;
     if (b->row < 0 || t->level[b->row] == 0) return;
     size_t twig = (size_t)b->row;
-    double thickness = 2 * fmax(t->r0[twig], t->r1[twig]), leaves = leaves_on(t, twig);
+    double thickness = wf_tree_thickness(t, twig, NAN), leaves = leaves_on(t, twig);
     double wood = wf_ring_area(0.5 * thickness, 0);
     if (!(thickness < an->search.branches_from) || !(leaves > most * wood)) return;
     wf_diag_warn(d, "twig-leaves",

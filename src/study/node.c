@@ -161,13 +161,18 @@ struct wf_solve_options wf_nodes_quick(const struct wf_solve_options *o)
 
 bool wf_nodes_tracked(const struct wf_analysis *an) { return an->solver->tracked && !an->scenario.shelter; }
 
+/* That of a tolerance; NULL: there is none. */
+static const struct sequence *sequence_of(const struct wf_nodes *k, double tolerance)
+{
+    for (int i = 0; i < TRACKS; i++)
+        if (k->sequence[i].track[0] && k->sequence[i].tolerance == tolerance) return &k->sequence[i];
+    return NULL;
+}
+
 static enum wf_status open_sequence(const struct wf_nodes *k, const struct wf_solve_options *o,
                                     struct sequence *out, struct wf_err *e)
 {
-    const struct sequence *like = NULL;
-    for (int i = 0; k->like && i < TRACKS; i++)
-        if (k->like->sequence[i].track[0] && k->like->sequence[i].tolerance == o->mesh_tolerance)
-            like = &k->like->sequence[i];
+    const struct sequence *like = k->like ? sequence_of(k->like, o->mesh_tolerance) : NULL;
     enum wf_status s = WF_OK;
     const struct wf_beam_few *few = k->kin ? NULL : wf_given_few(k->an->given);
     for (int part = 0; part < (wf_peak_branches(k->an->peak) ? WF_NODE_PARTS : 1) && !s; part++) {
@@ -336,11 +341,9 @@ static enum wf_status solve_state(struct wf_nodes *k, struct sequence *q, enum w
 /* The track of a tolerance; NULL: there is none. */
 static const struct wf_track *track_of(const struct wf_nodes *k, double tolerance, enum wf_node_part part)
 {
-    for (int i = 0; i < TRACKS; i++) {
-        const struct sequence *q = &k->sequence[i];
-        if (q->track[0] && q->tolerance == tolerance) return q->track[part] ? q->track[part] : q->track[0];
-    }
-    return NULL;
+    const struct sequence *q = sequence_of(k, tolerance);
+    if (!q) return NULL;
+    return q->track[part] ? q->track[part] : q->track[0];
 }
 
 /* Is a row, or does it carry, or is it carried by another? The rows of a branch are not in sequence. */
@@ -424,7 +427,7 @@ double wf_node_branch_safety(const struct wf_analysis *an, const struct wf_node 
         const float *utilisation = node->column[c].value;
         if (!wf_criteria[c].loses_tree || !utilisation) continue;
         for (size_t i = 0; i < t->n; i++)
-            if (2 * fmax(t->r0[i], t->r1[i]) >= an->search.branches_from &&
+            if (wf_tree_thickness(t, i, NAN) >= an->search.branches_from &&
                 wf_scope_holds(WF_SCOPE_BRANCHES, t, i))
                 most = fmax(most, (double)utilisation[i]);
     }

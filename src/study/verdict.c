@@ -54,7 +54,8 @@ struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
 const struct wf_break *wf_verdict_first(const struct wf_break (*breaks)[WF_SCOPES],
                                         enum wf_criterion_id *criterion)
 {
-    const struct wf_break *first = &breaks[ *criterion = WF_BREAKAGE][WF_SCOPE_TREE];
+    const struct wf_break *first = &breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    *criterion = WF_BREAKAGE;
     for (int c = 0; c < WF_CRITERIA; c++) {
         const struct wf_break *b = &breaks[c][WF_SCOPE_TREE];
         if (!wf_criteria[c].loses_tree || wf_criteria[c].whole || !governs(&b->critical, &first->critical))
@@ -62,6 +63,12 @@ const struct wf_break *wf_verdict_first(const struct wf_break (*breaks)[WF_SCOPE
         first = b, *criterion = (enum wf_criterion_id)c;
     }
     return first;
+}
+
+bool wf_verdict_twig(const struct wf_analysis *an, int32_t row)
+{
+    return row >= 0 && wf_scope_holds(WF_SCOPE_BRANCHES, &an->tree, (size_t)row) &&
+           wf_tree_thickness(&an->tree, (size_t)row, NAN) < an->search.branches_from;
 }
 
 double wf_verdict_safety(const struct wf_at_speed *at, enum wf_criterion_id *criterion)

@@ -20,6 +20,9 @@ struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES]);
 const struct wf_break *wf_verdict_first(const struct wf_break (*breaks)[WF_SCOPES],
                                         enum wf_criterion_id *criterion);
 
+/* Is a row a branch thinner than those that are listed, an->search.branches_from? row -1: none, false. */
+bool wf_verdict_twig(const struct wf_analysis *an, int32_t row);
+
 /* Is it known where the criterion is reached: at a speed, or at rest? */
 bool wf_verdict_reached(const struct wf_critical *c);
 /* Results closer than this share are alike: the earlier row of wf_criteria governs. A stem that is hardly

@@ -528,7 +528,7 @@ enum wf_status wf_shelter_make(const struct wf_tree *t, const struct wf_wind *ba
     double thickest = 0.0;
     enum wf_status s = shelter_cover(t, base, q, a, out, e);
     if (s) return s;
-    for (size_t i = 0; i < t->n; i++) thickest = fmax(thickest, 2.0 * fmax(t->r0[i], t->r1[i]));
+    for (size_t i = 0; i < t->n; i++) thickest = fmax(thickest, wf_tree_thickness(t, i, NAN));
     shelter_classify(out, thickest);
     return shelter_wind(out, a, e);
 }
