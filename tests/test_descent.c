@@ -222,9 +222,47 @@ static void no_failure_is_passed_over(void **state)
     assert_true(same > 9 * lower);
 }
 
+/* Branches that are said to fail in a given wind below the critical one are not said to hold up to it. */
+static void a_failure_in_a_given_wind_is_heeded(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    double table[2][4];
+    struct wf_analysis an;
+    struct wf_break free[WF_CRITERIA][WF_SCOPES], out[WF_CRITERIA][WF_SCOPES];
+    random_tree(&c, 7919, table);
+    analysis_of(&c, &wf_solver_beam, &an);
+    breaks_of(&c, &wf_solver_beam, free);
+    const struct wf_critical *alone = &free[WF_BREAKAGE][WF_SCOPE_TREE].critical,
+                             *now = &out[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+    assert_int_equal(alone->outcome, WF_CRITICAL_FOUND);
+    for (int k = 0; k < 3; k++) { /* as it is, failing by another shape, without equilibrium */
+        struct wf_at_speed at;
+        an.at = NULL, an.n = 0;
+        assert_int_equal(wf_speed_totals(&an, &c.options, 0.8 * alone->speed, &at, &c.err), WF_OK);
+        for (int s = 0; s < WF_SCOPES && k == 1; s++) at.worst[WF_BREAKAGE][s].safety = 0.9;
+        if (k == 2) at.status = WF_EUNSTABLE;
+        an.at = &at, an.n = 1;
+        struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
+        assert_non_null(nodes);
+        assert_int_equal(wf_analysis_breaks(&an, &c.options, nodes, out, &c.err), WF_OK);
+        wf_nodes_close(nodes);
+        if (k == 0) {
+            assert_int_equal(now->outcome, WF_CRITICAL_FOUND);
+            assert_close(now->speed, alone->speed, 1e-6);
+            continue;
+        }
+        assert_int_equal(now->outcome, WF_CRITICAL_UNSEARCHED);
+        assert_true(now->speed_high == at.speed);
+        assert_true(now->speed_low < at.speed);
+    }
+    beam_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(no_failure_is_passed_over),
+                                        cmocka_unit_test(a_failure_in_a_given_wind_is_heeded),
                                         cmocka_unit_test(finer_counts_the_rows_on_the_way),
                                         cmocka_unit_test(branches_are_as_accurate_as_specified) };
     return cmocka_run_group_tests(tests, NULL, NULL);

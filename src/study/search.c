@@ -243,17 +243,21 @@ static void place_at(const struct wf_tree *t, const struct wf_worst *w, struct w
     out->height = t->z0[w->row] + w->place * (t->z1[w->row] - t->z0[w->row]);
 }
 
+/* The lowest given wind in which this part of the tree fails [m/s]; INFINITY: none. */
+static double fails_given(const struct search *q)
+{
+    double lowest = INFINITY;
+    for (size_t k = 0; q->an->at && k < q->an->n; k++)
+        if (q->an->at[k].status || safety(q, &q->an->at[k]) < 1.0) lowest = fmin(lowest, q->an->at[k].speed);
+    return lowest;
+}
+
 /* The highest speed to be searched: the range given, or the lowest given speed above it at which this part of
  * the tree failed. */
 static double search_top(const struct search *q)
 {
-    double top = INFINITY;
-    for (size_t k = 0; q->an->at && k < q->an->n; k++) {
-        const struct wf_at_speed *at = &q->an->at[k];
-        if (at->speed <= q->an->search.speed_max && falls(q, at)) return q->an->search.speed_max;
-        if (falls(q, at)) top = fmin(top, at->speed);
-    }
-    return isfinite(top) ? top : q->an->search.speed_max;
+    const double range = q->an->search.speed_max, fails = fails_given(q);
+    return fails > range && isfinite(fails) ? fails : range;
 }
 
 /* What is known of a search that was ended: between which speeds the tree fails. */
@@ -298,12 +302,6 @@ static enum wf_status end_search(const struct search *q, enum wf_status s, const
 
 /* ---- By steps ---- */
 
-static enum wf_status crossing_by_steps(struct search *q, struct wf_err *e)
-{
-    enum wf_status s = climb(q, e);
-    return s ? s : wf_critical_search(utilisation, q, q->speed_max, 1e-4, &q->out->critical, e);
-}
-
 static enum wf_status search_by_steps(struct search *q, const struct wf_solve_options *quick,
                                       const struct wf_solve_options *fine, struct wf_err *e)
 {
@@ -311,7 +309,8 @@ static enum wf_status search_by_steps(struct search *q, const struct wf_solve_op
     struct wf_at_speed at;
     q->o = quick;
     wf_sway_reach(q->an, INFINITY); /* how far the steps go depends on the number of threads */
-    enum wf_status s = crossing_by_steps(q, e);
+    enum wf_status s = climb(q, e);
+    if (!s) s = wf_critical_search(utilisation, q, q->speed_max, 1e-4, c, e);
     if (s || !wf_verdict_reached(c)) return s;
     const struct wf_worst *worst = &at.worst[q->criterion][q->scope];
     bool found = c->outcome == WF_CRITICAL_FOUND;
@@ -510,6 +509,22 @@ static enum wf_status finish(struct search *q, const struct wf_solve_options *qu
     return totals_there(q, quick, node, step, e);
 }
 
+/* Where the part fails in a given wind below the critical speed, a twig has another equilibrium, which the
+ * search did not follow: each state is then solved by itself, as that of the given wind was, up to this. */
+static enum wf_status heed_given(struct search *q, const struct wf_solve_options *quick,
+                                 const struct wf_solve_options *fine, struct wf_err *e)
+{
+    const double clearly = 1.0 - 1e-3;
+    const double lowest = fails_given(q);
+    if (!(lowest < clearly * wf_verdict_bound(&q->out->critical))) return WF_OK;
+    *q->out = nothing, q->speed_max = lowest;
+    enum wf_status s = search_by_steps(q, quick, fine, e);
+    if (s || wf_verdict_bound(&q->out->critical) < lowest) return s;
+    *q->out = nothing;
+    bracket(q, &q->out->critical);
+    return WF_OK;
+}
+
 static int by_critical(const void *a, const void *b)
 {
     const struct search *x = *(const struct search *const *)a, *y = *(const struct search *const *)b;
@@ -533,11 +548,12 @@ static enum wf_status search_part(struct search *list, size_t n, const struct wf
         if (!s && q->next == WF_CROSSING_FOUND) order[found++] = q;
     }
     qsort(order, found, sizeof(order[0]), by_critical);
-    for (size_t i = 0; i < found; i++) {
-        enum wf_status own = end_search(order[i], finish(order[i], quick, fine, &why), &why, e);
-        if (own) return own;
-    }
-    return WF_OK;
+    enum wf_status own = WF_OK;
+    for (size_t i = 0; i < found && !own; i++)
+        own = end_search(order[i], finish(order[i], quick, fine, &why), &why, e);
+    for (size_t i = 0; i < n && !own; i++)
+        own = end_search(&list[i], heed_given(&list[i], quick, fine, &why), &why, e);
+    return own;
 }
 
 /* ---- All ---- */
@@ -614,25 +630,6 @@ static enum wf_status search_scope(const struct wf_analysis *an, const struct wf
     return begin_search(&q) ? end_search(&q, search_by_steps(&q, &quick, o, &why), &why, e) : WF_OK;
 }
 
-/* Criteria that lose the tree, the nearest to its limit at the strongest given wind first. Returned: how
- * many. */
-static size_t by_nearness(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA])
-{
-    const struct wf_at_speed *at = an->at && an->n ? &an->at[an->n - 1] : NULL;
-    size_t n = 0;
-    for (int c = 0; c < WF_CRITERIA; c++) {
-        if (!wf_criteria[c].loses_tree) continue;
-        size_t k = n++;
-        for (; k && at &&
-               at->worst[c][WF_SCOPE_STEM].safety <
-                   (1 - WF_VERDICT_SAME) * at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
-             k--)
-            order[k] = order[k - 1];
-        order[k] = (enum wf_criterion_id)c;
-    }
-    return n;
-}
-
 /* Nothing is searched yet. */
 static void unsearched(const struct wf_analysis *an, struct wf_break (*out)[WF_SCOPES])
 {
@@ -657,7 +654,7 @@ static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_
     double lowest = INFINITY;
     enum wf_status s = WF_OK;
     unsearched(an, out);
-    for (size_t k = 0, n = by_nearness(an, order); k < n && !s && lowest > 0; k++) {
+    for (size_t k = 0, n = wf_verdict_nearest(an, order); k < n && !s && lowest > 0; k++) {
         struct wf_break *b = &out[order[k]][WF_SCOPE_STEM];
         struct search q = {
             .an = an, .criterion = order[k], .scope = WF_SCOPE_STEM, .nodes = nodes, .out = b

@@ -65,6 +65,23 @@ const struct wf_break *wf_verdict_first(const struct wf_break (*breaks)[WF_SCOPE
     return first;
 }
 
+size_t wf_verdict_nearest(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA])
+{
+    const struct wf_at_speed *at = an->at && an->n ? &an->at[an->n - 1] : NULL;
+    size_t n = 0;
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        if (!wf_criteria[c].loses_tree) continue;
+        size_t k = n++;
+        for (; k && at &&
+               at->worst[c][WF_SCOPE_STEM].safety <
+                   (1 - WF_VERDICT_SAME) * at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
+             k--)
+            order[k] = order[k - 1];
+        order[k] = (enum wf_criterion_id)c;
+    }
+    return n;
+}
+
 bool wf_verdict_twig(const struct wf_analysis *an, int32_t row)
 {
     return row >= 0 && wf_scope_holds(WF_SCOPE_BRANCHES, &an->tree, (size_t)row) &&

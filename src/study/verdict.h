@@ -23,6 +23,10 @@ const struct wf_break *wf_verdict_first(const struct wf_break (*breaks)[WF_SCOPE
 /* Is a row a branch thinner than those that are listed, an->search.branches_from? row -1: none, false. */
 bool wf_verdict_twig(const struct wf_analysis *an, int32_t row);
 
+/* Criteria that lose the tree, the nearest to its limit at the strongest given wind first. Returned: how many.
+ */
+size_t wf_verdict_nearest(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA]);
+
 /* Is it known where the criterion is reached: at a speed, or at rest? */
 bool wf_verdict_reached(const struct wf_critical *c);
 /* Results closer than this share are alike: the earlier row of wf_criteria governs. A stem that is hardly
