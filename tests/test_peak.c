@@ -500,17 +500,76 @@ static void interrupted_without_a_load(void **state)
     wf_arena_free(&p.c.arena);
 }
 
+/* G where the sway is that of a peak's k-th sway alone, with that damping of the air. */
+static double gusts_swaying(const struct wf_peak *p, size_t k, double air, double wind)
+{
+    struct wf_peak alone = *p;
+    alone.sways = 1;
+    alone.sway[0] = p->sway[k];
+    alone.sway[0].air = air;
+    return wf_peak_gusts(&alone, wind);
+}
+
+/* Where other modes take over between two sways the factor is not below that of the sway with the larger one
+ * but for the edges, it is exact at both, and it does not jump. */
+static void modes_that_change(void **state)
+{
+    static const double frequency[][2] = { { 0.4, 1.2 }, { 0.4, 0.7 }, { 1.2, 0.5 }, { 2.3, 1.9 } },
+                        air[][2] = { { 0.3, 0.06 }, { 0.05, 0.05 }, { 0.02, 0.2 }, { 0.1, 0.02 } };
+    struct pole p;
+    (void)state;
+    make(&p, "en1991", false);
+    assert_int_equal(wf_sway_set_up(&p.an, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
+    struct wf_peak change = *p.an.peak;
+    change.sways = 3, change.more = NULL, change.damping_known = true;
+    for (size_t k = 0; k < 4; k++) {
+        const double low = 12, high = 24, edge = 0.05 * (high - low), step = 1e-6;
+        for (size_t i = 0; i < 3; i++) change.sway[i] = p.an.peak->sway[0];
+        change.sway[0].speed = 0, change.sway[0].air = 0;
+        change.sway[1].speed = low, change.sway[2].speed = high;
+        for (size_t i = 0; i < 2; i++)
+            change.sway[1 + i].frequency = frequency[k][i], change.sway[1 + i].air = air[k][i];
+        wf_peak_sways_take(&change);
+        assert_close(wf_peak_gusts(&change, low), gusts_swaying(&change, 1, air[k][0], low), 1e-12);
+        assert_close(wf_peak_gusts(&change, high), gusts_swaying(&change, 2, air[k][1], high), 1e-12);
+        for (double wind = low + 1.01 * edge; wind < high - edge; wind += 0.3) {
+            const double at = wf_peak_gusts(&change, wind),
+                         below = gusts_swaying(&change, 1, air[k][0], wind),
+                         above = gusts_swaying(&change, 2, air[k][1] * wind / high, wind);
+            const double middle = 0.5 * (low + high);
+            const bool early = gusts_swaying(&change, 2, air[k][1] * middle / high, middle) >
+                               gusts_swaying(&change, 1, air[k][0], middle);
+            assert_close(at, early ? above : below, 1e-12);
+            assert_true(at > (1 - 1e-2) * fmax(above, below));
+        }
+        for (double wind = low; wind <= high; wind += 0.25 * edge) {
+            const double jump = wf_peak_gusts(&change, wind + step) - wf_peak_gusts(&change, wind - step);
+            assert_true(fabs(jump) < 1e-5);
+        }
+    }
+    wf_arena_free(&p.c.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(modes_of_a_pole),       cmocka_unit_test(modes_in_wind),
-        cmocka_unit_test(sways_as_a_cantilever), cmocka_unit_test(damped_by_the_air),
-        cmocka_unit_test(light_winds),           cmocka_unit_test(given_winds_are_sways),
-        cmocka_unit_test(no_overshoot),          cmocka_unit_test(multiplies_the_wind_alone),
-        cmocka_unit_test(methods_without_sway),  cmocka_unit_test(stands),
-        cmocka_unit_test(stand_of_a_held_crown), cmocka_unit_test(moments_of_stands),
-        cmocka_unit_test(critical_at_the_peak),  cmocka_unit_test(crowds),
-        cmocka_unit_test(sways_as_asked),        cmocka_unit_test(interrupted_without_a_load),
+        cmocka_unit_test(modes_of_a_pole),
+        cmocka_unit_test(modes_in_wind),
+        cmocka_unit_test(sways_as_a_cantilever),
+        cmocka_unit_test(damped_by_the_air),
+        cmocka_unit_test(light_winds),
+        cmocka_unit_test(given_winds_are_sways),
+        cmocka_unit_test(no_overshoot),
+        cmocka_unit_test(multiplies_the_wind_alone),
+        cmocka_unit_test(methods_without_sway),
+        cmocka_unit_test(stands),
+        cmocka_unit_test(stand_of_a_held_crown),
+        cmocka_unit_test(moments_of_stands),
+        cmocka_unit_test(critical_at_the_peak),
+        cmocka_unit_test(crowds),
+        cmocka_unit_test(modes_that_change),
+        cmocka_unit_test(sways_as_asked),
+        cmocka_unit_test(interrupted_without_a_load),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

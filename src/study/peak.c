@@ -228,10 +228,63 @@ static void parts_swaying(const struct wf_peak *p, double speed, enum wf_part pa
     out->factor = fmax(out->gust.factor, p->least);
 }
 
+/* The sways on both sides of a speed, where other modes take over between them: trees stiffen with the wind
+ * as they hang from their base, by less than this, and hardly soften. At which speed is not known. false:
+ * they do not. */
+static bool modes_change(const struct wf_peak *p, double at, const struct wf_sway **below)
+{
+    const double stiffer = 1.5, softer = 0.9;
+    for (size_t i = 0; i + 1 < p->sways; i++) {
+        const struct wf_sway *s = &p->sway[i];
+        const double ratio = s[1].frequency / s[0].frequency;
+        *below = s;
+        if (s[0].speed < at && at < s[1].speed) return ratio > stiffer || ratio < softer;
+    }
+    return false;
+}
+
+/* The sway `s` of the upper or lower of two speeds at another between them. The damping of the air grows with
+ * the wind: that of the lower is kept, that of the upper is in proportion; above still air it is that without
+ * a change of modes. */
+static struct wf_sway sway_moved(const struct wf_peak *p, const struct wf_sway *s, double at)
+{
+    struct wf_sway out = *s;
+    out.speed = at;
+    if (at < p->sway[1].speed && p->sway[0].speed == 0.0)
+        out.air = sway_at(p, at).air;
+    else if (at < s->speed)
+        out.air *= at / s->speed;
+    return out;
+}
+
+/* The sway at a speed between two where modes change: that of the two with the larger factor in the middle,
+ * up to an edge of the interval, over which it becomes the other. */
+static struct wf_sway safe_sway(const struct wf_peak *p, const struct wf_sway *below, double at,
+                                enum wf_part part)
+{
+    const double edge = 0.05, width = below[1].speed - below[0].speed, s = (at - below[0].speed) / width,
+                 middle = below[0].speed + 0.5 * width;
+    double factor[2];
+    for (int k = 0; k < 2; k++) {
+        const struct wf_sway sway = sway_moved(p, &below[k], middle);
+        struct wf_peak_parts parts;
+        parts_swaying(p, middle, part, &sway, &parts);
+        factor[k] = parts.factor;
+    }
+    const double share = factor[1] > factor[0] ? fmin(1.0, s / edge) : fmax(0.0, 1.0 - (1.0 - s) / edge);
+    const struct wf_sway low = sway_moved(p, &below[0], at), high = sway_moved(p, &below[1], at);
+    struct wf_sway out = share < 0.5 ? low : high;
+    out.frequency = wf_between(low.frequency, high.frequency, share);
+    out.air = wf_between(low.air, high.air, share);
+    return out;
+}
+
 static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
 {
     struct wf_sway sway = { 0 };
-    if (p->sways) sway = sway_at(p, speed);
+    const struct wf_sway *below = NULL;
+    if (p->sways)
+        sway = modes_change(p, speed, &below) ? safe_sway(p, below, speed, part) : sway_at(p, speed);
     parts_swaying(p, speed, part, p->sways ? &sway : NULL, out);
 }
 
