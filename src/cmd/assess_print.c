@@ -167,7 +167,7 @@ static void print_safeties(FILE *to, const struct wf_assessment *x)
         wf_show(to, "%10s%10.6g\n%24s%10s to %s\n", "", q, "in saturated soil",
                 safety_text(x->wet_low, q, low), safety_text(x->wet_high, q, high));
     }
-    wf_show(to, "%24s", "least");
+    wf_show(to, "%24s", isnan(x->overturning.safety) ? "least" : "least, not saturated");
     print_safety(to, 10, isnan(x->breakage.safety) ? NAN : fmin(x->breakage.safety, x->overturning.safety),
                  q);
     wf_show(to, "%20s", "");
@@ -277,6 +277,9 @@ static void print_years(FILE *to, const struct wf_analysis *an)
             x->years, x->years_by ? x->years_by : an->scenario.design->title);
     wf_show(to, "    probability that it blows: %s a year, %s in %.4g years\n",
             wf_assess_chance(x, x->exceedance, year), wf_assess_chance(x, x->over_life, life), x->life);
+    if (isnan(x->overturning.safety))
+        wf_show(to,
+                "    of the stem alone: the roots were not assessed and may fail in less wind, more often\n");
     print_band(to, x);
     if (isfinite(x->exceedance_low) && an->interval)
         wf_show(to, "    at the low end of the critical wind, %.0f m/s: %s a year\n", an->interval->low,

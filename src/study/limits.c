@@ -5,7 +5,9 @@
 #include "data/section.h"
 #include "data/species.h"
 #include "fail/anchorage.h"
+#include "grow/silhouette.h"
 #include "load/drag.h"
+#include "load/winter.h"
 #include "study/analysis.h"
 #include "study/verdict.h"
 #include "wind/category.h"
@@ -285,6 +287,39 @@ static void check_twig(const struct wf_analysis *an, struct wf_diag *d)
                  an->model->name, 1e3 * thickness, leaves, 1e-4 * leaves / wood);
 }
 
+/* A crown in leaf whose leaves do not cover the ground under it once catches less wind than real ones. */
+static void check_few_leaves(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_tree *t = &an->tree;
+    const double breadth = wf_silhouette_size(an->model, an->tallness).breadth,
+                 ground = wf_crown_projection(t, isnan(breadth) ? 0 : breadth);
+    double leaves = 0;
+    if (an->model->season == WF_LEAF_OFF) return;
+    for (size_t i = 0; i < t->n; i++) leaves += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
+    if (!(leaves > 0 && leaves < ground)) return;
+    wf_diag_warn(
+        d, "few-leaves",
+        "%s: %.3g m2 of leaves in a crown over %.3g m2 of ground, %.2g m2 on each: less than one layer. "
+        "Crowns in full leaf carry several; with them the load is higher and the critical wind lower "
+        "(--leaf-area)",
+        an->model->name, leaves, ground, leaves / ground);
+}
+
+/* Wood that yields: the stem is not elastic any more. */
+static void check_elastic(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_critical *c = &an->breaks[WF_ELASTIC_LIMIT][WF_SCOPE_STEM].critical;
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    if (!at || at->status || !wf_verdict_reached(c) ||
+        !(at->worst[WF_ELASTIC_LIMIT][WF_SCOPE_STEM].safety < 1))
+        return;
+    wf_diag_warn(
+        d, "beyond-elastic",
+        "%s: at %.6g m/s the stem's compressed wood is beyond its elastic limit, which it reaches at %.3g "
+        "m/s: from there on it bends more than computed, and keeps some of it",
+        an->species->name, at->speed, wf_verdict_bound(c));
+}
+
 void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d)
 {
     const double linear = 0.25 / DEGREES;
@@ -422,6 +457,8 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_soil(an, d);
     check_diaphragms(an, d);
     check_twig(an, d);
+    check_few_leaves(an, d);
+    check_elastic(an, d);
     check_as_printed(an, d);
     check_assumed(an, d);
 }

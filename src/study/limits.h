@@ -5,7 +5,7 @@
  * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, steep, map-edge,
  * assumed-values, as-printed, no-strength, no-equilibrium, critical-above-range, searched-further,
  * search-ended, self-weight, through-ground, unverified-safety, unverified-wind, size-effect,
- * anchorage-soil, diaphragms, twig-leaves, root-linear. */
+ * anchorage-soil, diaphragms, twig-leaves, few-leaves, beyond-elastic, root-linear. */
 #include "base/err.h"
 #include <stdbool.h>
 

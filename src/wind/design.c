@@ -356,7 +356,7 @@ static double rare_wind(const struct wf_design *d, const struct wf_design_words 
 double wf_design_years(const struct wf_design_words *w, double ratio, int *end)
 {
     const struct wf_design *d = wf_design_named(w->code);
-    double low = 1.05, high = 1e6; /* years */
+    double low = 1.05, high = 1e4; /* years; the longest that a code gives, AS/NZS 1170.2 */
     *end = 0;
     if (!d || !d->rare) return NAN;
     if (isnan(rare_wind(d, w, low))) low = 5; /* the least of AS/NZS 1170.2 */
