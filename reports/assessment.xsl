@@ -95,6 +95,10 @@
         <xsl:with-param name="b" select="$a/exceedance_over_life_text"/>
         <xsl:with-param name="c" select="$a/life_years"/>
       </xsl:call-template>
+      <xsl:if test="not($a/overturning/safety/value != '')">
+        <xsl:text> </xsl:text>
+        <xsl:call-template name="say"><xsl:with-param name="id">as.years.stem</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:if test="$a/return_period_by != ''"><xsl:call-template name="as-band"/></xsl:if>
       <xsl:if test="$a/exceedance_at_low_end_text != ''">
         <xsl:value-of select="$gap"/>
@@ -189,7 +193,19 @@
       <xsl:with-param name="id">as.reduction</xsl:with-param>
       <xsl:with-param name="a" select="format-number(100 * $a/least_reduction, '0')"/>
       <xsl:with-param name="b" select="format-number(100 * $a/least_reduction_cut, '0')"/>
-    </xsl:call-template></p>
+    </xsl:call-template>
+    <xsl:if test="$a/least_reduction_cut &gt; 0.3">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say"><xsl:with-param name="id">as.reduction.harm</xsl:with-param></xsl:call-template>
+    </xsl:if>
+    <xsl:if test="$a/saturated_low != '' and $a/overturning/safety/value &gt; 0">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">as.reduction.wet</xsl:with-param>
+        <xsl:with-param name="a" select="format-number($a/saturated_low div $a/overturning/safety/value, '0.00')"/>
+        <xsl:with-param name="b" select="format-number($a/saturated_high div $a/overturning/safety/value, '0.00')"/>
+      </xsl:call-template>
+    </xsl:if></p>
   </xsl:if>
   <xsl:if test="not($a/least_reduction &gt; 0) and ($a/least_reduction_tried &gt; 0 or $a/least_reduction_unknown != '')">
     <p><xsl:call-template name="say">

@@ -73,11 +73,14 @@
       </td>
     </xsl:if>
     <td><xsl:call-template name="criterion-name"/></td>
+    <xsl:variable name="own" select="../../assessment/required[current()/loses_tree = 'true' or
+      current()/criterion = 'elastic-limit']"/>
+    <xsl:variable name="required" select="$own | required_safety/value[not($own)]"/>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="$at/safety/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
-      <xsl:with-param name="bound" select="required_safety/value"/>
+      <xsl:with-param name="bound" select="$required"/>
     </xsl:call-template>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="required_safety/value"/></xsl:call-template>
+    <xsl:call-template name="cell"><xsl:with-param name="x" select="$required"/></xsl:call-template>
     <xsl:choose>
       <xsl:when test="outcome = 'above'">
         <td class="r">

@@ -453,6 +453,7 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">fp.direction.one</xsl:with-param>
         <xsl:with-param name="a" select="format-number($degrees * scenario/azimuth/value, '0')"/>
+        <xsl:with-param name="b" select="format-number((630 - $degrees * scenario/azimuth/value) mod 360, '0')"/>
       </xsl:call-template>
     </xsl:otherwise>
   </xsl:choose>
@@ -652,7 +653,8 @@
     <p class="word"><xsl:call-template name="headline"/></p>
     <p>
       <xsl:call-template name="say">
-        <xsl:with-param name="id"><xsl:text>fp.in</xsl:text><xsl:if test="scenario/design != ''">.design</xsl:if></xsl:with-param>
+        <xsl:with-param name="id"><xsl:text>fp.in</xsl:text><xsl:if test="scenario/design != ''">.design</xsl:if>
+          <xsl:if test="scenario/design != '' and scenario/wind_terrain = scenario/terrain">.same</xsl:if></xsl:with-param>
         <xsl:with-param name="a">
           <xsl:call-template name="given"><xsl:with-param name="x" select="$u"/></xsl:call-template></xsl:with-param>
         <xsl:with-param name="b">

@@ -292,7 +292,8 @@
     </xsl:if>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.segments<xsl:if test="levels &gt; 1">.tree</xsl:if></xsl:with-param>
-     <xsl:with-param name="text" select="string(segments)"/>
+     <xsl:with-param name="text" select="string((../segments[../model/levels &gt; 1] |
+        segments[not(../levels &gt; 1 and ../../segments)])[1])"/>
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">in.crown</xsl:with-param>

@@ -240,6 +240,12 @@
         <xsl:choose>
           <xsl:when test="$r/provenance/seed != ''"><xsl:value-of select="$r/provenance/seed"/></xsl:when>
           <xsl:when test="$trees/interval/seed != ''"><xsl:value-of select="$trees/interval/seed"/></xsl:when>
+          <xsl:when test="$trees/model/seed != ''">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">p.seed.model</xsl:with-param>
+              <xsl:with-param name="a" select="$trees[model/seed != ''][1]/model/seed"/>
+            </xsl:call-template>
+          </xsl:when>
           <xsl:otherwise>
             <xsl:call-template name="say"><xsl:with-param name="id">p.seed.none</xsl:with-param></xsl:call-template>
           </xsl:otherwise>

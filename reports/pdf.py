@@ -119,6 +119,13 @@ def written(table):
     return font[:head + 8] + pack('>I', 0xb1b0afba - sum_of(font) & 0xffffffff) + font[head + 12:]
 
 
+def plain_text(glyphs):
+    """WeasyPrint lets a glyph stand for all text since the glyph before it where it comes first, also for a character that joins
+    words and is not drawn, and so in the whole document: the glyph would be copied and searched with it."""
+    for glyph, text in glyphs.items():
+        glyphs[glyph] = text.replace('\u2060', '') or text
+
+
 def use_few_glyphs():
     """Where WeasyPrint is of a version that has this method."""
     try:
@@ -128,6 +135,7 @@ def use_few_glyphs():
         return
 
     def clean(self, cmap):
+        plain_text(self.cmap)
         few = few_glyphs(self.file_content, self.index, cmap) if cmap and self.ttfont else None
         if few is None:
             by_weasyprint(self, cmap)

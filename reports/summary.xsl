@@ -80,6 +80,8 @@
   <xsl:variable name="stem" select="criteria/item[criterion = 'breakage' and scope = 'stem']/winds/item[speed/value =
     $last/speed/value]/safety[not($last/loss_safety)]"/>
   <xsl:variable name="safety" select="$last/loss_safety | $stem | $last[not(loss_safety or $stem)]/least_safety"/>
+  <xsl:variable name="yields" select="criteria/item[criterion = 'elastic-limit' and scope = 'stem']/winds/item[speed/value =
+    $last/speed/value and safety/value &lt; 1]"/>
   <xsl:variable name="rooted" select="verdict/criteria/item[criterion = 'overturning']"/>
   <xsl:variable name="known" select="verdict/criteria/item[loses_tree = 'true'] or (not(verdict) and critical/outcome != 'no-strength')"/>
   <xsl:variable name="bent" select="($last/mean_state/tip_deflection_share |
@@ -95,6 +97,7 @@
         <xsl:when test="$safety/value &lt;= 1">sum.breaks</xsl:when>
         <xsl:otherwise>
           <xsl:choose>
+            <xsl:when test="$yields">sum.yields</xsl:when>
             <xsl:when test="$safety/value = '' or $safety/value &gt; 3">sum.far</xsl:when>
             <xsl:when test="$safety/value &gt; 1.5">sum.reserve</xsl:when>
             <xsl:otherwise>sum.close</xsl:otherwise>
@@ -471,7 +474,8 @@
     <xsl:for-each select="$trees[1]/winds/item">
       <xsl:sort select="position()" data-type="number" order="descending"/>
       <xsl:variable name="p" select="count(preceding-sibling::item) + 1"/>
-      <xsl:if test="not($trees/winds/item[$p]/status != 'ok')"><xsl:value-of select="concat($p, ' ')"/></xsl:if>
+      <xsl:if test="not($trees/winds/item[$p][status != 'ok' or
+        loss_safety/value &lt;= 1])"><xsl:value-of select="concat($p, ' ')"/></xsl:if>
     </xsl:for-each>
   </xsl:variable>
   <xsl:if test="$k != ''">
@@ -564,7 +568,7 @@
 
 <!-- What a scan may lack: wood, and the crown. -->
 <xsl:template name="care-scan">
-  <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart' or code = 'no-leaves']">
+  <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart']">
     <p class="care">
       <xsl:call-template name="term">
         <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>

@@ -257,7 +257,8 @@
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/governing_section/height/value"/></xsl:call-template>
     <td class="r">
       <xsl:call-template name="given">
-        <xsl:with-param name="x" select="species/streamlining/speed_high/value"/>
+        <xsl:with-param name="x" select="species/streamlining/speed_high/value[../../../model/leaf_area/value &gt; 0 or
+          ../../../model/frontal_area/value &gt; 0 or not(../../../model/generator = 'measured')]"/>
       </xsl:call-template>
     </td>
   </tr>

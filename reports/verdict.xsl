@@ -234,7 +234,6 @@
     <span class="why">
       <xsl:call-template name="segment"><xsl:with-param name="section" select="$section"/></xsl:call-template>
       <xsl:if test="$section/weight_stress/value != ''">
-        <xsl:text> </xsl:text>
         <xsl:call-template name="say">
           <xsl:with-param name="id">segment.weight</xsl:with-param>
           <xsl:with-param name="a">

@@ -15,9 +15,9 @@
 /* Version of this header. Before 1.0 a minor version may break programs; docs/changes.md lists every break.
  */
 #define WF_VERSION_MAJOR 0
-#define WF_VERSION_MINOR 17
+#define WF_VERSION_MINOR 18
 #define WF_VERSION_PATCH 0
-#define WF_VERSION "0.17.0"
+#define WF_VERSION "0.18.0"
 
 /* ---- Memory, errors, findings ----
  *
