@@ -271,7 +271,7 @@ static void scenarios(void **state)
           "--height 20m --girth 250cm --crown-width 14m --crown-base 4m --samples 0 --soil mineral --wind 10",
           CODE_OK,
           { "UNKNOWN: no verdict", "the species has no strength: breakage is not assessed",
-            "against overturning      3.4", "least         -" } },
+            "against overturning      3.4", "least, not saturated         -" } },
         { "$W assess models/cards/oak.yaml --root-loss 100%; $W assess models/cards/oak.yaml --root-loss "
           "10deg:20m; $W assess models/cards/oak.yaml --root-loss 1:2:3:4; $W assess models/cards/oak.yaml "
           "--root-loss 9:9",

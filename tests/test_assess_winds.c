@@ -40,7 +40,7 @@ static void full_model(void **state)
           "0.6), "
           "($2 / $1 < 1), $0 }'; done 2>/dev/null",
           CODE_OK,
-          { "1 1 1 21.66", "\n1 1 1 30.89", "\n1 1 1 23.0" } },
+          { "1 1 1 21.66", "\n1 1 1 30.84", "\n1 1 1 23.0" } },
     };
     CHECK(rows);
 }
