@@ -547,6 +547,19 @@ static void modes_that_change(void **state)
             assert_true(fabs(jump) < 1e-5);
         }
     }
+    /* a share that falls by 0.025 a m/s from 0.5 is that of the upper at 18 m/s, of which 0.6 of the way are
+     * trusted */
+    change.sway[1].frequency = change.sway[0].frequency = frequency[0][0],
+    change.sway[2].frequency = frequency[0][1];
+    change.sway[1].air = air[0][0], change.sway[2].air = air[0][1];
+    change.sway[0].participation = 0.8, change.sway[1].participation = 0.5,
+    change.sway[2].participation = 0.35;
+    wf_peak_sways_take(&change);
+    for (double wind = 12.5; wind < 23; wind += 0.5) {
+        const double at = wf_peak_gusts(&change, wind),
+                     above = gusts_swaying(&change, 2, air[0][1] * wind / 24, wind);
+        assert_true(wind < 15.6 ? at < above - 1e-4 : wind < 16.2 || fabs(at - above) < 1e-12);
+    }
     wf_arena_free(&p.c.arena);
 }
 

@@ -228,19 +228,21 @@ static void parts_swaying(const struct wf_peak *p, double speed, enum wf_part pa
     out->factor = fmax(out->gust.factor, p->least);
 }
 
-/* The sways on both sides of a speed, where other modes take over between them: trees stiffen with the wind
- * as they hang from their base, by less than this, and hardly soften. At which speed is not known. false:
- * they do not. */
-static bool modes_change(const struct wf_peak *p, double at, const struct wf_sway **below)
+/* Do other modes take over between a sway and the next? Trees stiffen with the wind as they hang from their
+ * base, by less than this, and hardly soften. At which speed is not known. */
+static bool changes(const struct wf_sway *s)
 {
-    const double stiffer = 1.5, softer = 0.9;
-    for (size_t i = 0; i + 1 < p->sways; i++) {
-        const struct wf_sway *s = &p->sway[i];
-        const double ratio = s[1].frequency / s[0].frequency;
-        *below = s;
-        if (s[0].speed < at && at < s[1].speed) return ratio > stiffer || ratio < softer;
-    }
-    return false;
+    const double stiffer = 1.5, softer = 0.9, ratio = s[1].frequency / s[0].frequency;
+    return ratio > stiffer || ratio < softer;
+}
+
+/* The lower of the sways on both sides of a speed, where modes change between them. NULL: they do not. */
+static const struct wf_sway *before_change(const struct wf_peak *p, double at)
+{
+    for (size_t i = 0; i + 1 < p->sways; i++)
+        if (p->sway[i].speed < at && at < p->sway[i + 1].speed)
+            return changes(&p->sway[i]) ? &p->sway[i] : NULL;
+    return NULL;
 }
 
 /* The sway `s` of the upper or lower of two speeds at another between them. The damping of the air grows with
@@ -257,13 +259,26 @@ static struct wf_sway sway_moved(const struct wf_peak *p, const struct wf_sway *
     return out;
 }
 
-/* The sway at a speed between two where modes change: that of the two with the larger factor in the middle,
- * up to an edge of the interval, over which it becomes the other. */
+/* From which speed on the upper sway may have taken over: its modes do so when their share is the larger one.
+ * The share of the lower, where it falls, is followed as it fell before, and only part of the way is trusted.
+ */
+static double takes_over(const struct wf_peak *p, const struct wf_sway *below)
+{
+    const double trusted = 0.6, share = below[0].participation,
+                 fell = below[0].participation - below[1].participation;
+    if (below == p->sway || changes(below - 1) || !(fell > 0.0)) return below[0].speed;
+    const double falls = (below[-1].participation - share) / (below[0].speed - below[-1].speed);
+    return falls > 0.0 ? below[0].speed + trusted * fell / falls : below[0].speed;
+}
+
+/* The sway at a speed between two where modes change: that of the two with the larger factor in the middle.
+ * That of the upper begins where it may have taken over, that of the lower lasts to the end, but for an edge.
+ */
 static struct wf_sway safe_sway(const struct wf_peak *p, const struct wf_sway *below, double at,
                                 enum wf_part part)
 {
-    const double edge = 0.05, width = below[1].speed - below[0].speed, s = (at - below[0].speed) / width,
-                 middle = below[0].speed + 0.5 * width;
+    const double width = below[1].speed - below[0].speed, edge = 0.05 * width,
+                 middle = below[0].speed + 0.5 * width, end = below[1].speed - edge;
     double factor[2];
     for (int k = 0; k < 2; k++) {
         const struct wf_sway sway = sway_moved(p, &below[k], middle);
@@ -271,8 +286,11 @@ static struct wf_sway safe_sway(const struct wf_peak *p, const struct wf_sway *b
         parts_swaying(p, middle, part, &sway, &parts);
         factor[k] = parts.factor;
     }
-    const double share = factor[1] > factor[0] ? fmin(1.0, s / edge) : fmax(0.0, 1.0 - (1.0 - s) / edge);
-    const struct wf_sway low = sway_moved(p, &below[0], at), high = sway_moved(p, &below[1], at);
+    const bool early = factor[1] > factor[0];
+    const double from = early ? fmin(takes_over(p, below), end) : end,
+                 share = fmin(fmax((at - from) / edge, 0.0), 1.0);
+    const struct wf_sway low = early ? sway_at(p, at) : sway_moved(p, &below[0], at),
+                         high = sway_moved(p, &below[1], at);
     struct wf_sway out = share < 0.5 ? low : high;
     out.frequency = wf_between(low.frequency, high.frequency, share);
     out.air = wf_between(low.air, high.air, share);
@@ -282,9 +300,8 @@ static struct wf_sway safe_sway(const struct wf_peak *p, const struct wf_sway *b
 static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
 {
     struct wf_sway sway = { 0 };
-    const struct wf_sway *below = NULL;
-    if (p->sways)
-        sway = modes_change(p, speed, &below) ? safe_sway(p, below, speed, part) : sway_at(p, speed);
+    const struct wf_sway *below = p->sways ? before_change(p, speed) : NULL;
+    if (p->sways) sway = below ? safe_sway(p, below, speed, part) : sway_at(p, speed);
     parts_swaying(p, speed, part, p->sways ? &sway : NULL, out);
 }
 
