@@ -274,6 +274,8 @@ enum wf_status wf_scenario_onto(const struct wf_analyze_options *o, bool card, c
     if (!s && !card) s = change_crown(o, q, m, e);
     if (!s) s = wf_card_change(&walls, a, m, &cut, e);
     struct wf_stand *stand = &q->scenario.peak.stand; /* its other trees are not cut */
-    if (!(stand->height > 0) && grown > 0) stand->height = grown;
-    return s ? s : lose_roots(o, grown, a, q, e);
+    const double before =
+        o->reduce || o->remove ? grown : 0; /* else samples of the height are those of the roots */
+    if (!(stand->height > 0) && before > 0) stand->height = before;
+    return s ? s : lose_roots(o, before, a, q, e);
 }
