@@ -60,6 +60,7 @@ static const struct {
     { WF_DIM_SPEED, "knot", "knot" },
     { WF_DIM_SPEED, "knots", "knot" },
     { WF_DIM_SPEED, "c", NULL },
+    { WF_DIM_SPEED, "m/h", NULL }, /* written for mph; in metres per hour nobody gives a wind */
     { WF_DIM_FORCE, "kp", "kgf" },
     { WF_DIM_FREQUENCY, "hz", "Hz" },
     { WF_DIM_MOMENT, "Nm", "N m" },
