@@ -103,6 +103,31 @@ static void said_once(void **state)
           "the spacing' -e 可能是风向 -e 可能是林分株距 $T/said; ls $T",
           CODE_OK,
           { "12\n4\n4\n4\nsaid\nt.csv\n" } },
+        /* a letter or two wrong, with and without a unit; words that are not */
+        { TREE_OF(
+              ",cavty,required safty,heigth "
+              "(m),place,street,number,notes\noak,20,250,14,4,1.3m:20mm,3,21,a,b,c,d") "$W assess $T/t.csv "
+                                                                                       "-o $T/o.csv --wind "
+                                                                                       "20",
+          CODE_OK,
+          { "'cavty' (--cavity), 'required safty' (--required-safety)",
+            "only kept: 'heigth (m)', 'place', 'street', "
+            "'number', 'notes'" } },
+        /* the height of a sample is that of its roots, in a row as on a card */
+        { "printf 'species,height,girth,crown_width,crown_base,soil,wind\\noak,20 m,2.5 m,14 m,4 "
+          "m,mineral,25\\n' "
+          ">$T/t.csv; $W assess $T/t.csv --samples 64 -o $T/o.csv --reports $T/r --no-pdf 2>$T/said; $W "
+          "assess "
+          "--species oak --height 20m --girth 2.5m --crown-width 14m --crown-base 4m --soil mineral --wind "
+          "25 "
+          "--samples 64 --no-pdf -o $T/c >$T/said 2>&1; for f in $T/c $T/r/*; do grep -A6 '\"low\"' "
+          "$f/results.json | "
+          "grep value | head -n 2 | cksum; done | uniq | wc -l",
+          CODE_OK,
+          { "1\n" } },
+        { "$W assess --species oak --height 20m --girth 2.5m --crown-width 14m --wind '36 m/h' -o $T/o",
+          CODE_INPUT,
+          { "--wind: '36 m/h': 'm/h' is not a unit of a speed; use one of: m/s, km/h, knot" } },
         { TREE_OF(
               ",crown_density,rain\noak,20,250,14,4,80,700") "$W assess $T/t.csv -o $T/o.csv --wind 20; cut "
                                                              "-d, -f8-11 $T/o.csv; " TREE_OF(

@@ -402,6 +402,33 @@ static bool is_near(const struct known *k, const char *key)
     return false;
 }
 
+/* Is the head, with or without what may be a unit at its end, a name with a letter or two wrong? */
+static bool is_misspelt(const struct looked *l, const struct known *k)
+{
+    enum { LEAST = 4, LONG = 6 };
+    char one[120];
+    const char *lists[] = { k->option + 2, k->names };
+    for (size_t i = 0; i < WF_COUNT(lists); i++)
+        while (next_name(&lists[i], one, sizeof one)) {
+            const size_t n = strlen(one), most = n >= LONG ? 2 : 1;
+            if (n < LEAST || one[0] != l->key[0]) continue; /* it is seldom the first letter */
+            if (wf_word_distance(l->key, one) <= most) return true;
+            for (size_t d = 0; d < WF_DIM_COUNT; d++)
+                if (l->less[d] && wf_word_distance(l->less[d], one) <= most) return true;
+        }
+    return false;
+}
+
+/* An option whose own name the head nearly is; WF_HEAD_NONE: none. */
+static size_t misspelt_option(const struct looked *l, const struct wf_option *rows)
+{
+    for (size_t k = 0; rows[k].name; k++) {
+        const struct known own = { rows[k].name, "", false };
+        if ((is_refused(&rows[k]) || wf_scenario_takes(&rows[k])) && is_misspelt(l, &own)) return k;
+    }
+    return WF_HEAD_NONE;
+}
+
 /* An option by its own name, which has no others. */
 static bool by_own_name(struct looked *l, const struct wf_assess_options *line, struct wf_head *out)
 {
@@ -439,8 +466,11 @@ static void recognise(struct looked *l, const struct wf_assess_options *line, st
     if (by_own_name(l, line, out)) return;
     out->factor = NAN;
     for (size_t k = 0; k < WF_COUNT(known) && out->use == WF_HEAD_KEPT; k++)
-        if (is_near(&known[k], l->key) && (rooting || strcmp(known[k].option, "--rooting")))
+        if ((is_near(&known[k], l->key) || is_misspelt(l, &known[k])) &&
+            (rooting || strcmp(known[k].option, "--rooting")))
             out->use = WF_HEAD_NEAR, out->option = wf_head_option(rows, known[k].option);
+    if (out->use == WF_HEAD_KEPT && (out->option = misspelt_option(l, rows)) != WF_HEAD_NONE)
+        out->use = WF_HEAD_NEAR;
 }
 
 /* Fail where the head may be several options. */
