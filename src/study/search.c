@@ -516,7 +516,7 @@ static enum wf_status heed_given(struct search *q, const struct wf_solve_options
 {
     const double clearly = 1.0 - 1e-3;
     const double lowest = fails_given(q);
-    if (!(lowest < clearly * wf_verdict_bound(&q->out->critical))) return WF_OK;
+    if (!(lowest > 0.0 && lowest < clearly * wf_verdict_bound(&q->out->critical))) return WF_OK;
     *q->out = nothing, q->speed_max = lowest;
     enum wf_status s = search_by_steps(q, quick, fine, e);
     if (s || wf_verdict_bound(&q->out->critical) < lowest) return s;

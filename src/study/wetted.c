@@ -87,7 +87,8 @@ enum wf_status wf_wetted_compare(const struct wf_analysis *wet, enum wf_burden b
 {
     struct wf_analysis dry = *wet;
     struct wf_diag unsaid = { .arena = a };
-    dry.given = NULL; /* what is known of the wet tree's meshes */
+    dry.given = NULL;         /* what is known of the wet tree's meshes */
+    dry.at = NULL, dry.n = 0; /* its states */
     if (burden == WF_BURDEN_RAIN)
         dry.scenario.water = 0;
     else
