@@ -95,9 +95,9 @@
         <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'splitting'">sum.splits</xsl:when>
         <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'ovalisation'">sum.flattens</xsl:when>
         <xsl:when test="$safety/value &lt;= 1">sum.breaks</xsl:when>
+        <xsl:when test="$yields and not($safety/value &lt;= 1.5)">sum.yields</xsl:when>
         <xsl:otherwise>
           <xsl:choose>
-            <xsl:when test="$yields and not($safety/value &lt;= 1.5)">sum.yields</xsl:when>
             <xsl:when test="$safety/value = '' or $safety/value &gt; 3">sum.far</xsl:when>
             <xsl:when test="$safety/value &gt; 1.5">sum.reserve</xsl:when>
             <xsl:otherwise>sum.close</xsl:otherwise>

@@ -7,6 +7,7 @@
 #include "fail/anchorage.h"
 #include "grow/silhouette.h"
 #include "load/drag.h"
+#include "load/interception.h"
 #include "load/winter.h"
 #include "study/analysis.h"
 #include "study/verdict.h"
@@ -293,9 +294,8 @@ static void check_few_leaves(const struct wf_analysis *an, struct wf_diag *d)
     const struct wf_tree *t = &an->tree;
     const double breadth = wf_silhouette_size(an->model, an->tallness).breadth,
                  ground = wf_crown_projection(t, isnan(breadth) ? 0 : breadth);
-    double leaves = 0;
+    const double leaves = wf_tree_leaf_area(t);
     if (an->model->season == WF_LEAF_OFF || wf_silhouette_area(&an->model->silhouette) > 0) return;
-    for (size_t i = 0; i < t->n; i++) leaves += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
     if (!(leaves > 0 && leaves < ground)) return;
     wf_diag_warn(
         d, "few-leaves",
